@@ -1,0 +1,113 @@
+#pragma once
+// From the displacement gradient of a material point to its first Piola-Kirchhoff stress: the piece between "gradient" and
+// "divergence" that both solvers share. Total Lagrangian; two kinds of motion:
+//   SmallStrain      strain = sym H, P = sigma
+//   FiniteRotation   F = I + H = R U; the law sees U - I in the co-rotated frame and gives its work conjugate T (Biot stress); P = R T.
+//                    Exact under any rigid rotation (see e.g. Ogden, Non-Linear Elastic Deformations, 2.2 and 3.5).
+
+#include "model/material/law.hpp"
+
+namespace femsph {
+
+struct SmallStrain {
+  template <class T, int dim>
+  struct Frame {};  // the axes do not turn
+
+  template <class T, int dim>
+  FEMSPH_INLINE static Frame<T, dim> strain(const Tensor<T, dim>& H, Symmetric<T, dim>& e) {
+    for (int i = 0; i < dim; ++i) e(i, i) = H[i][i];
+    for (int i = 0; i < dim; ++i)
+      for (int j = i + 1; j < dim; ++j) e(i, j) = 0.5 * (H[i][j] + H[j][i]);
+    return {};
+  }
+
+  template <class T, int dim>
+  FEMSPH_INLINE static void piola(const Frame<T, dim>&, const Symmetric<T, dim>& s, Tensor<T, dim>& P) {
+    for (int i = 0; i < dim; ++i)
+      for (int j = 0; j < dim; ++j) P[i][j] = s(i, j);
+  }
+};
+
+/// Rotation of the polar decomposition F = R U. 2D: closed form. 3D: Newton's iteration X <- (X + X^-T)/2
+/// (Higham, Computing the polar decomposition, 1986), which squares the error each time; eight turns settle stretches of 1/4..4.
+template <class T, int dim>
+FEMSPH_INLINE Tensor<T, dim> polar_rotation(const Tensor<T, dim>& F) {
+  Tensor<T, dim> R;
+  if constexpr (dim == 2) {
+    const T c = F[0][0] + F[1][1], s = F[1][0] - F[0][1];
+    const T r = 1.0 / square_root(c * c + s * s);
+    R[0][0] = R[1][1] = c * r;
+    R[1][0] = s * r;
+    R[0][1] = -s * r;
+  } else {
+    R = F;
+    for (int turn = 0; turn < 8; ++turn) {
+      Tensor<T, 3> C;  // cofactors: X^-T = C / det X
+      for (int i = 0; i < 3; ++i)
+        for (int j = 0; j < 3; ++j) {
+          const int i1 = (i + 1) % 3, i2 = (i + 2) % 3, j1 = (j + 1) % 3, j2 = (j + 2) % 3;
+          C[i][j] = R[i1][j1] * R[i2][j2] - R[i1][j2] * R[i2][j1];
+        }
+      const T r = 0.5 / (R[0][0] * C[0][0] + R[0][1] * C[0][1] + R[0][2] * C[0][2]);
+      for (int i = 0; i < 3; ++i)
+        for (int j = 0; j < 3; ++j) R[i][j] = 0.5 * R[i][j] + C[i][j] * r;
+    }
+  }
+  return R;
+}
+
+struct FiniteRotation {
+  template <class T, int dim>
+  using Frame = Tensor<T, dim>;
+
+  template <class T, int dim>
+  FEMSPH_INLINE static Frame<T, dim> strain(const Tensor<T, dim>& H, Symmetric<T, dim>& e) {
+    Tensor<T, dim> F = H;
+    for (int i = 0; i < dim; ++i) F[i][i] += 1.0;
+    const Tensor<T, dim> R = polar_rotation<T, dim>(F);
+    for (int i = 0; i < dim; ++i)
+      for (int j = i; j < dim; ++j) {
+        T s = R[0][i] * F[0][j];
+        for (int k = 1; k < dim; ++k) s += R[k][i] * F[k][j];
+        e(i, j) = i == j ? s - 1.0 : s;
+      }
+    return R;
+  }
+
+  template <class T, int dim>
+  FEMSPH_INLINE static void piola(const Frame<T, dim>& R, const Symmetric<T, dim>& s, Tensor<T, dim>& P) {
+    for (int i = 0; i < dim; ++i)
+      for (int j = 0; j < dim; ++j) {
+        T p = R[i][0] * s(0, j);
+        for (int k = 1; k < dim; ++k) p += R[i][k] * s(k, j);
+        P[i][j] = p;
+      }
+  }
+};
+
+/// Doubles of state that a material point of this law keeps between steps: nothing if the stress follows from the strain,
+/// else stress, strain and the law's own history.
+template <class LawType, int dim>
+inline constexpr int point_state_size =
+    LawType::path_independent ? 0 : 2 * symmetric_size<dim> + LawType::template history_size<dim>;
+
+/// strain -> stress of one material point (or of eight): reads and advances `state` (point_state_size<LawType, dim> values).
+template <class LawType, class T, int dim>
+FEMSPH_INLINE Symmetric<T, dim> advance_law(const LawType& law, const Symmetric<T, dim>& strain, [[maybe_unused]] T* state) {
+  if constexpr (LawType::path_independent) {
+    return law.stress(strain);
+  } else {
+    constexpr int n = symmetric_size<dim>;
+    Symmetric<T, dim> stress, increment;
+    for (int k = 0; k < n; ++k) {
+      stress[k] = state[k];
+      increment[k] = strain[k] - state[n + k];
+      state[n + k] = strain[k];
+    }
+    law.update(increment, stress, state + 2 * n);
+    for (int k = 0; k < n; ++k) state[k] = stress[k];
+    return stress;
+  }
+}
+
+}  // namespace femsph

@@ -1,0 +1,86 @@
+#pragma once
+// What the march asks of a discretization: three verbs in one call (gradient, law, divergence), the mass of its points,
+// and where places and probes are. SPH and FEM implement this and nothing else differs between two runs of one scene.
+
+#include <cstddef>
+#include <memory>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "model/scene/scene.hpp"
+
+namespace femsph {
+
+/// Where component c of point i of a vector field sits in its flat array: offset + i * point_stride + c * component_stride.
+/// FEM keeps nodal vectors interleaved, SPH keeps one padded row per component. Slots of no point are padding, always 0.
+struct Layout {
+  std::size_t points = 0;
+  int dim = 2;
+  std::size_t point_stride = 1, component_stride = 0, offset = 0;
+  std::size_t size = 0;  ///< of the flat array
+  std::size_t at(std::size_t i, int c) const { return offset + i * point_stride + c * component_stride; }
+};
+
+/// A share of something that belongs to one point.
+struct Weight {
+  std::size_t point;
+  double weight;
+};
+
+/// Stress and strain at the material points (particles, or quadrature points), one entry each, six components:
+/// xx yy zz xy yz zx, in the axes of space (Cauchy stress, Pa), the thickness direction of plane cases included.
+struct MaterialState {
+  std::vector<std::array<double, 6>> stress, strain;
+};
+
+/// Cells or bare points for output: each cell lists its points in VTK order.
+struct Topology {
+  enum class Kind { points, quadrilaterals, hexahedra } kind = Kind::points;
+  std::vector<std::array<std::size_t, 8>> cells;
+};
+
+class Discretization {
+ public:
+  virtual ~Discretization() = default;
+
+  /// "corrected SPH, 16441 particles, ..": one line for the run record.
+  virtual std::string describe() const = 0;
+  virtual const Layout& layout() const = 0;
+  virtual std::span<const double> mass() const = 0;    ///< kg, per point
+  virtual Point position(std::size_t point) const = 0; ///< m, undeformed
+  /// Particles or elements: what "ns per particle- or element-step" counts.
+  virtual std::size_t units() const = 0;
+  virtual std::string unit_name() const = 0;  ///< "particle" or "element"
+  virtual double spacing() const = 0;         ///< smallest distance d of neighbouring points along an axis, m
+  virtual double wave_speed() const = 0;      ///< fastest, m/s
+  virtual std::size_t bytes() const = 0;      ///< memory held, without the march's own vectors
+
+  /// Writes the internal force (N) of displacement u (m) and velocity v (m/s), both flat, into f, and advances the state of the
+  /// material by the step dt (s). Padding stays 0. If has_viscosity(), its force goes to `viscous` instead, else that is null.
+  virtual void internal_force(const double* u, const double* v, double dt, double* f, double* viscous) = 0;
+  /// y = K x: minus the internal force of the elastic tangent at the undeformed state. Leaves the state of the material alone.
+  virtual void stiffness(const double* x, double* y) const = 0;
+  /// y = C x: minus the viscous force of velocity x when every pair is approaching (the bound the critical step needs).
+  virtual void damping_matrix(const double* x, double* y) const;
+  virtual bool has_viscosity() const { return false; }
+
+  /// Energy stored (J): by the law, and by hourglass control.
+  virtual double strain_energy(const double* u) const = 0;
+  virtual double hourglass_energy(const double*) const { return 0.0; }
+
+  /// The points of a place, sorted, with the share of a unit total force that each takes (sum 1). Empty if there are none.
+  virtual std::vector<Weight> points_of(const Place& place) const = 0;
+  /// The discretization's own interpolation of a nodal field at a point of the undeformed body; weights sum to 1.
+  virtual std::vector<Weight> interpolation(const Point& p) const = 0;
+
+  virtual std::size_t material_points() const = 0;
+  virtual Point material_position(std::size_t point) const = 0;
+  /// Volume that each material point stands for, m^3.
+  virtual double material_volume(std::size_t point) const = 0;
+  virtual void material_state(const double* u, MaterialState& out) const = 0;
+
+  virtual Topology topology() const = 0;
+};
+
+}  // namespace femsph

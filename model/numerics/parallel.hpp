@@ -1,0 +1,61 @@
+#pragma once
+// Threads. One number governs every parallel loop of the program. The work is cut into chunks whose
+// borders depend on the problem only, and partial sums are added in chunk order: results never
+// depend on how many threads ran.
+
+#include <cstddef>
+#include <vector>
+
+#ifdef _OPENMP
+#include <omp.h>
+#endif
+
+namespace femsph {
+
+/// How many threads the parallel loops use.
+int threads();
+void set_threads(int n);
+
+/// Below this many items a loop is not worth a fork.
+inline constexpr std::size_t serial_below = 2048;
+
+/// Calls body(begin, end) on ranges that cover [0, n); the borders are multiples of `grain`.
+/// The ranges may depend on the thread count, so body must treat each item on its own.
+template <class Body>
+void parallel_for(std::size_t n, std::size_t grain, Body&& body) {
+#ifdef _OPENMP
+  const int t = n < serial_below ? 1 : threads();
+  if (t > 1) {
+    const std::size_t grains = (n + grain - 1) / grain;
+#pragma omp parallel num_threads(t)
+    {
+      const std::size_t i = static_cast<std::size_t>(omp_get_thread_num()), k = static_cast<std::size_t>(omp_get_num_threads());
+      const std::size_t begin = grains * i / k * grain;
+      const std::size_t end = grains * (i + 1) / k * grain;
+      if (begin < n) body(begin, end < n ? end : n);
+    }
+    return;
+  }
+#endif
+  (void)grain;
+  if (n > 0) body(std::size_t{0}, n);
+}
+
+/// Sum of body(begin, end) over fixed chunks of [0, n), added in chunk order: the same to the last bit for any thread count.
+template <class Body>
+double parallel_sum(std::size_t n, Body&& body) {
+  constexpr std::size_t chunk = 4096;
+  const std::size_t chunks = (n + chunk - 1) / chunk;
+  if (chunks <= 1) return n > 0 ? body(std::size_t{0}, n) : 0.0;
+  static thread_local std::vector<double> partial;
+  partial.assign(chunks, 0.0);
+  double* p = partial.data();
+  parallel_for(n, chunk, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t b = begin; b < end; b += chunk) p[b / chunk] = body(b, b + chunk < end ? b + chunk : end);
+  });
+  double sum = 0;
+  for (std::size_t c = 0; c < chunks; ++c) sum += p[c];
+  return sum;
+}
+
+}  // namespace femsph

@@ -1,0 +1,70 @@
+#pragma once
+// A pack of eight doubles, and the same functions for one double, so that a kernel written as
+// template <class T> runs as SIMD code with T = Pack and as its own scalar reference with T = double.
+// GCC lowers the eight lanes to whatever the target has (2 x 4 on AVX2, 4 x 2 on SSE2).
+
+#include <cmath>
+#include <cstddef>
+
+namespace femsph {
+
+inline constexpr int lanes = 8;
+
+using Pack = double __attribute__((vector_size(lanes * sizeof(double))));
+using PackUnaligned = double __attribute__((vector_size(lanes * sizeof(double)), aligned(sizeof(double))));
+using PackMask = long __attribute__((vector_size(lanes * sizeof(long))));
+
+#define FEMSPH_INLINE inline __attribute__((always_inline))
+
+/// T with every lane equal to x.
+template <class T>
+FEMSPH_INLINE T broadcast(double x) { return T{} + x; }
+template <>
+FEMSPH_INLINE double broadcast<double>(double x) { return x; }
+
+/// Load from an address aligned to the size of T.
+template <class T>
+FEMSPH_INLINE T load(const double* p) { return *reinterpret_cast<const T*>(p); }
+
+/// Load from any address.
+template <class T>
+FEMSPH_INLINE T load_unaligned(const double* p) { return *reinterpret_cast<const PackUnaligned*>(p); }
+template <>
+FEMSPH_INLINE double load_unaligned<double>(const double* p) { return *p; }
+
+/// Store to an address aligned to the size of T.
+template <class T>
+FEMSPH_INLINE void store(double* p, T x) { *reinterpret_cast<T*>(p) = x; }
+
+/// Lane-wise mask ? a : b.
+FEMSPH_INLINE Pack select(PackMask mask, Pack a, Pack b) { return mask ? a : b; }
+FEMSPH_INLINE double select(bool mask, double a, double b) { return mask ? a : b; }
+
+FEMSPH_INLINE double square_root(double x) { return std::sqrt(x); }
+FEMSPH_INLINE Pack square_root(Pack x) {
+  Pack y;
+  for (int l = 0; l < lanes; ++l) y[l] = std::sqrt(x[l]);  // one vsqrtpd under -fno-math-errno
+  return y;
+}
+
+/// True when the condition holds in any lane.
+FEMSPH_INLINE bool any(bool mask) { return mask; }
+FEMSPH_INLINE bool any(PackMask mask) {
+  long r = 0;
+  for (int l = 0; l < lanes; ++l) r |= mask[l];
+  return r != 0;
+}
+
+/// Sum over the lanes, in lane order.
+FEMSPH_INLINE double horizontal_sum(double x) { return x; }
+FEMSPH_INLINE double horizontal_sum(Pack x) {
+  double s = 0;
+  for (int l = 0; l < lanes; ++l) s += x[l];
+  return s;
+}
+
+/// How many lanes a scalar type has.
+template <class T>
+inline constexpr int lanes_of = static_cast<int>(sizeof(T) / sizeof(double));
+
+}  // namespace femsph

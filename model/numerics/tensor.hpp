@@ -1,0 +1,57 @@
+#pragma once
+// Small tensors of a scalar type T (double or Pack).
+//   Tensor<T, dim>     dim x dim, row first: H[i][j] = du_i/dX_j
+//   Symmetric<T, dim>  tensor components (not engineering shear), in the order xx yy xy (2D), xx yy zz xy yz zx (3D)
+
+#include <array>
+
+#include "model/numerics/simd.hpp"
+
+namespace femsph {
+
+using Point = std::array<double, 3>;  ///< metres; the third component is 0 in 2D
+
+template <int dim>
+inline constexpr int symmetric_size = dim * (dim + 1) / 2;
+
+template <class T, int dim>
+struct Tensor {
+  T a[dim][dim];
+  FEMSPH_INLINE T* operator[](int i) { return a[i]; }
+  FEMSPH_INLINE const T* operator[](int i) const { return a[i]; }
+};
+
+/// Where component (i, j) sits in a Symmetric.
+template <int dim>
+constexpr int symmetric_index(int i, int j) {
+  if (i == j) return i;
+  if constexpr (dim == 2) return 2;
+  return i + j == 1 ? 3 : (i + j == 3 ? 4 : 5);
+}
+
+template <class T, int dim>
+struct Symmetric {
+  T a[symmetric_size<dim>];
+  FEMSPH_INLINE T& operator[](int k) { return a[k]; }
+  FEMSPH_INLINE const T& operator[](int k) const { return a[k]; }
+  FEMSPH_INLINE T& operator()(int i, int j) { return a[symmetric_index<dim>(i, j)]; }
+  FEMSPH_INLINE const T& operator()(int i, int j) const { return a[symmetric_index<dim>(i, j)]; }
+};
+
+template <class T, int dim>
+FEMSPH_INLINE T trace(const Symmetric<T, dim>& s) {
+  T t = s[0];
+  for (int i = 1; i < dim; ++i) t += s[i];
+  return t;
+}
+
+/// a : b over the components of the plane (or of space).
+template <class T, int dim>
+FEMSPH_INLINE T contract(const Symmetric<T, dim>& a, const Symmetric<T, dim>& b) {
+  T diagonal = a[0] * b[0], shear = a[dim] * b[dim];
+  for (int i = 1; i < dim; ++i) diagonal += a[i] * b[i];
+  for (int i = dim + 1; i < symmetric_size<dim>; ++i) shear += a[i] * b[i];
+  return diagonal + 2.0 * shear;
+}
+
+}  // namespace femsph

@@ -1,0 +1,125 @@
+#pragma once
+// The case, before any discretization: what a scene file says, validated, in SI units.
+// No solver word belongs here: element, formulation, kernel and spacing are chosen by a study or on the command line.
+
+#include <array>
+#include <limits>
+#include <map>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "model/material/law.hpp"
+#include "model/scene/shape.hpp"
+
+namespace femsph {
+
+/// Where in the file something was written (1-based); line 0: not from a file.
+struct Source {
+  int line = 0, column = 0;
+};
+
+struct Material {
+  std::string name;
+  double young, poisson, density;  ///< Pa, 1, kg/m^3
+  Law law(Plane plane) const;      ///< the law of this material in that plane
+};
+
+struct Body {
+  std::string name;
+  std::shared_ptr<const Shape> shape;
+  double thickness = 1.0;  ///< m, out of plane; 1 in 3D
+  std::string material;    ///< a key of Scene::materials
+};
+
+/// Part of a body: the points of its boundary that lie on all of `sides` (one side: a face; two: an edge in 3D, a corner in 2D;
+/// three: a corner in 3D); or, with `point`, the discretization point nearest to it; or, with neither, the whole body.
+struct Place {
+  std::size_t body = 0;            ///< index into Scene::bodies
+  std::vector<std::string> sides;  ///< names known to the body's shape: "x-", "x+", .. or a physical group of a mesh
+  std::optional<Point> point;      ///< m
+  Source source;
+};
+
+struct Support {
+  Place place;
+  std::array<bool, 3> fixed{};  ///< which displacement components are held at zero
+};
+
+/// How a load grows in time: a piecewise linear factor, held constant beyond its ends. A step is one point (0, 1).
+struct TimeHistory {
+  std::vector<double> time{0.0};  ///< s, increasing
+  std::vector<double> factor{1.0};
+  double at(double t) const;
+};
+
+/// A force on a place, given as its total; each discretization shares it out (consistently over a face's area).
+struct Load {
+  Place place;
+  Point force{};  ///< N
+  TimeHistory history;
+};
+
+struct InitialVelocity {
+  std::size_t body = 0;
+  Point velocity{};  ///< m/s
+};
+
+enum class Quantity { displacement, velocity, stress, strain };
+
+/// Something read at a point in every sample of a run.
+struct Probe {
+  std::string name;
+  std::size_t body = 0;
+  Quantity quantity = Quantity::displacement;
+  Point point{};  ///< m, in the undeformed body
+};
+
+/// The same along a straight line, at `count` equally spaced points from `from` to `to`.
+struct Section {
+  std::string name;
+  std::size_t body = 0;
+  Quantity quantity = Quantity::stress;
+  Point from{}, to{};
+  int count = 41;
+};
+
+enum class SettlingMethod { damping, kinetic };
+
+/// Ask for the static state: march with damping until the motion has died out.
+///   damping: mass-proportional, c = 2 omega_1 unless `rate` says otherwise (omega_1 from the Rayleigh quotient of the motion itself);
+///   kinetic: no damping; velocities are set to zero at every peak of the kinetic energy.
+struct Settling {
+  SettlingMethod method = SettlingMethod::damping;
+  double tolerance = 1e-4;     ///< settled when the amplitude of what still moves is below this share of the displacement
+  std::optional<double> rate;  ///< c, 1/s: damping force = c m v
+};
+
+struct Scene {
+  std::string title;
+  std::string file;  ///< as given by the user
+  std::string text;  ///< the file's content, for the run record
+  Plane plane = Plane::stress;
+  bool large_motion = false;  ///< finite rotation of the axes of the material
+  std::map<std::string, Material> materials;
+  std::vector<Body> bodies;
+  std::vector<Support> supports;
+  std::vector<Load> loads;
+  std::vector<InitialVelocity> initial_velocities;
+  std::optional<Point> gravity;   ///< m/s^2
+  std::optional<double> damping;  ///< mass-proportional, c in 1/s
+  std::vector<Probe> probes;
+  std::vector<Section> sections;
+  double duration = 0;  ///< s; with settling: at most this long
+  int samples = 400;    ///< rows of the histories over the duration
+  int snapshots = 20;   ///< fields written over the duration
+  std::optional<Settling> settling;
+
+  int dim() const { return plane == Plane::none ? 3 : 2; }
+  const Material& material_of(const Body& body) const { return materials.at(body.material); }
+  /// The effects that this scene asks for, by name; everything else costs nothing.
+  std::vector<std::string> effects() const;
+};
+
+}  // namespace femsph

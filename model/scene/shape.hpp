@@ -1,0 +1,88 @@
+#pragma once
+// Shapes of bodies. A shape answers questions about points; it knows no particles and no elements.
+// A new shape is one class here and one entry in shape_reader.cpp; SPH fills it through contains() alone.
+
+#include <array>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "model/numerics/tensor.hpp"
+
+namespace femsph {
+
+/// Quadrilaterals or hexahedra with named boundary parts: a body that comes with its own cells.
+struct CellMesh {
+  int dim = 2;
+  std::vector<Point> vertices;                 ///< m
+  std::vector<std::array<int, 8>> cells;       ///< 4 or 8 vertices, lexicographic: x fastest, then y, then z
+  struct Facet {
+    std::array<int, 4> vertices;  ///< 2 or 4
+    int group;                    ///< index into groups, -1: unnamed
+  };
+  std::vector<Facet> facets;        ///< boundary facets that the file names
+  std::vector<std::string> groups;  ///< physical names
+};
+
+class Shape {
+ public:
+  virtual ~Shape() = default;
+  virtual int dim() const = 0;
+  virtual Point lower() const = 0;  ///< corners of the bounding box, m
+  virtual Point upper() const = 0;
+  /// Inside or on the boundary, up to `tolerance` (m).
+  virtual bool contains(const Point& p, double tolerance) const = 0;
+  /// Names of the boundary's parts. Every shape has the sides of its bounding box: x- x+ y- y+ (z- z+).
+  virtual std::vector<std::string> sides() const;
+  /// p lies on that side, up to `tolerance` (m).
+  virtual bool on_side(const std::string& side, const Point& p, double tolerance) const;
+  /// Area (volume in 3D) of the shape, m^2 (m^3).
+  virtual double measure() const = 0;
+  /// The body's own cells, if it comes with some.
+  virtual const CellMesh* cells() const { return nullptr; }
+  /// One line for the user: "box 1000 x 100 mm".
+  virtual std::string describe() const = 0;
+};
+
+/// An axis-parallel rectangle or cuboid.
+class Box final : public Shape {
+ public:
+  Box(int dim, Point origin, Point size) : dim_(dim), origin_(origin), size_(size) {}
+  int dim() const override { return dim_; }
+  Point lower() const override { return origin_; }
+  Point upper() const override;
+  bool contains(const Point& p, double tolerance) const override;
+  double measure() const override;
+  std::string describe() const override;
+  const Point& size() const { return size_; }
+
+ private:
+  int dim_;
+  Point origin_, size_;
+};
+
+/// A body whose cells were made by Gmsh.
+class MeshShape final : public Shape {
+ public:
+  explicit MeshShape(CellMesh mesh, std::string file);
+  int dim() const override { return mesh_.dim; }
+  Point lower() const override { return lower_; }
+  Point upper() const override { return upper_; }
+  bool contains(const Point& p, double tolerance) const override;
+  std::vector<std::string> sides() const override;  ///< the bounding box's, and the physical groups
+  bool on_side(const std::string& side, const Point& p, double tolerance) const override;
+  double measure() const override;
+  const CellMesh* cells() const override { return &mesh_; }
+  std::string describe() const override;
+
+ private:
+  CellMesh mesh_;
+  std::string file_;
+  Point lower_, upper_;
+};
+
+/// Reads a .msh file (quadrilaterals in 2D, hexahedra in 3D; lengths multiplied by `unit`).
+/// Throws std::runtime_error with one sentence when the file cannot be read or holds no such cells.
+CellMesh read_gmsh(const std::string& file, int dim, double unit);
+
+}  // namespace femsph

@@ -1,0 +1,40 @@
+#pragma once
+// The SPH room's door: options in, discretization out.
+
+#include <memory>
+#include <string>
+
+#include "model/motion/discretization.hpp"
+
+namespace femsph::sph {
+
+enum class Formulation { classic, corrected };
+enum class KernelKind { cubic_spline, wendland_c2 };
+/// Mass (and volume) of a particle: `share` true mass / N; `full` rho d^dim; `trapezoid` the part of its cell that lies in the body.
+enum class MassRule { share, full, trapezoid };
+/// What makes up for the missing neighbours beyond a free surface (classic only; corrected needs none).
+enum class Boundary { none, virtual_particles, weight };
+
+/// Artificial viscosity, eq. 5 of the paper (Monaghan): alpha = beta = 0 switches it off.
+struct Viscosity {
+  double alpha = 0, beta = 0, gamma = 1.0;
+  bool on() const { return alpha != 0 || beta != 0; }
+};
+
+struct Options {
+  Formulation formulation = Formulation::corrected;
+  double spacing = 0;       ///< d, m
+  double smoothing = 1.0;   ///< h / d; the kernel reaches 2 h
+  KernelKind kernel = KernelKind::cubic_spline;
+  MassRule mass = MassRule::trapezoid;
+  Boundary boundary = Boundary::none;
+  Viscosity viscosity;
+  double hourglass = 0.1;     ///< coefficient of the hourglass control of the corrected formulation
+  double jitter = 0;          ///< particles moved at random by up to this share of d (tests; neighbour-list path)
+  bool force_lists = false;   ///< use neighbour lists even on a lattice (tests, bench)
+};
+
+/// Throws std::runtime_error with one sentence if the body cannot be discretized so.
+std::unique_ptr<Discretization> discretize(const Scene& scene, std::size_t body, const Options& options);
+
+}  // namespace femsph::sph
