@@ -1,0 +1,63 @@
+#pragma once
+// One run: a scene, a method, a resolution -> histories, profiles, energies and a price.
+
+#include <array>
+#include <map>
+#include <optional>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "fem/fem.hpp"
+#include "model/motion/march.hpp"
+#include "model/results/history.hpp"
+#include "sph/sph.hpp"
+
+namespace femsph::compare {
+
+/// A discretization by its name in tables: fem-full, fem-sri, fem-one-point, fem-assumed-strain, sph-classic-share, sph-classic-full,
+/// sph-classic-trapezoid, sph-virtual, sph-weight, sph-corrected.
+struct Method {
+  std::string name;
+  std::variant<fem::Options, sph::Options> options;
+  bool is_fem() const { return options.index() == 0; }
+};
+
+/// All methods, in the order of tables.
+const std::vector<Method>& methods();
+/// Throws std::runtime_error with "did you mean".
+Method method_named(const std::string& name);
+
+/// How fine: a spacing (FEM: the edge of a square cell; the divisions are the sides' lengths over it, rounded), or FEM divisions.
+struct Resolution {
+  double spacing = 0;  ///< m
+  std::array<int, 3> divisions{0, 0, 0};
+};
+
+struct RunOptions {
+  MarchOptions march;
+  std::optional<std::string> folder;  ///< write histories, fields and the record there
+  bool fields = true;                 ///< with a folder: fields too
+  std::string label;                  ///< of the progress line
+  std::string command;                ///< for the record
+};
+
+struct RunResult {
+  History history;                          ///< time; probes as NAME_x, NAME_y, (NAME_xx, ..); kinetic, strain, .. energies
+  std::map<std::string, Profile> profiles;  ///< sections at the last sample
+  Ledger ledger;
+  double momentum_error = 0;                ///< |sum of internal forces| / sum of |internal forces| at the end
+  Price price;
+  bool settled = false;
+  double spacing = 0;                       ///< m, as discretized
+  int cells_over_height = 0;                ///< cells, or particles less one, along y
+  std::size_t points = 0;                   ///< nodes or particles
+};
+
+/// Throws InputError, MotionError or std::runtime_error.
+RunResult run_scene(const Scene& scene, const Method& method, const Resolution& resolution, const RunOptions& options);
+
+/// The discretization alone (for `check` and the bench).
+std::unique_ptr<Discretization> discretize(const Scene& scene, std::size_t body, const Method& method, const Resolution& resolution);
+
+}  // namespace femsph::compare
