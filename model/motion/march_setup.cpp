@@ -80,10 +80,10 @@ void March::start_velocities() {
             const std::size_t slot = at.at(i, c);
             if (body.inverse_mass[slot] == 0) continue;
             body.v[slot] = start.velocity[c];
-            initial_energy_ += 0.5 * start.velocity[c] * start.velocity[c] / body.inverse_mass[slot];
           }
     for (std::size_t i = 0; i < body.v.size(); ++i) body.v[i] -= 0.5 * dt_ * body.inverse_mass[i] * body.f[i];
   }
+  initial_energy_ = kinetic_energy();
 }
 
 long March::planned_steps() const { return std::max(1L, std::lround(std::ceil(scene_.duration / dt_ - 1e-9))); }
