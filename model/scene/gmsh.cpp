@@ -107,12 +107,21 @@ void require_cells_of_one_kind(const std::vector<Block>& blocks, int dim, const 
     throw std::runtime_error(fmt::format("{} holds no {}-dimensional cells; expected {}", in_quotes(file), dim, expected));
 }
 
-void require_finite_and_plane(const CellMesh& mesh, const std::string& file) {
-  for (const Point& p : mesh.vertices) {
-    const double size = std::max({std::abs(p[0]), std::abs(p[1]), std::abs(p[2])});
-    if (!(size < 1e60)) throw std::runtime_error(fmt::format("{} has a vertex that is not finite; expected coordinates", in_quotes(file)));
-    if (mesh.dim == 2 && p[2] != 0)
+void require_finite(const CellMesh& mesh, const std::string& file) {
+  const auto usable = [](double x) { return std::abs(x) < 1e60; };  // false for nan; see to_si
+  for (const Point& p : mesh.vertices)
+    if (!std::all_of(p.begin(), p.end(), usable))
+      throw std::runtime_error(fmt::format("{} has a vertex that is not finite; expected coordinates", in_quotes(file)));
+}
+
+// CAD kernels leave rounding in z, which must not enter the plane's kinematics.
+void flatten(CellMesh& mesh, const std::string& file) {
+  double size = 0;
+  for (const Point& p : mesh.vertices) size = std::max({size, std::abs(p[0]), std::abs(p[1])});
+  for (Point& p : mesh.vertices) {
+    if (std::abs(p[2]) > 1e-9 * size)
       throw std::runtime_error(fmt::format("{} leaves the plane z = 0; expected a plane mesh in x and y", in_quotes(file)));
+    p[2] = 0;
   }
 }
 
@@ -147,7 +156,8 @@ void read_cells(CellMesh& mesh, Vertices& vertices, const std::string& file) {
       for (int v = 0; v < corners; ++v) cell[around_to_lexicographic[v]] = vertices.use(block.nodes[first + v], mesh);
       mesh.cells.push_back(cell);
     }
-  require_finite_and_plane(mesh, file);
+  require_finite(mesh, file);
+  if (mesh.dim == 2) flatten(mesh, file);
   for (std::size_t i = 0; i < mesh.cells.size(); ++i) orient(mesh, mesh.cells[i], i, file);
 }
 

@@ -3,6 +3,7 @@
 //   two_hexes.msh  (0,2) x (0,1) x (0,1) sheared by x += z/2, its second cell with the top below the bottom.
 
 #include <gmock/gmock.h>
+#include <gmsh.h>
 #include <gtest/gtest.h>
 #include <omp.h>
 
@@ -113,9 +114,31 @@ TEST(Gmsh, RefusesOtherCellsWithOneSentence) {
   EXPECT_EQ(
       complaint("bow_tie.msh", 2),
       "cell 1 of \"" + folder + "bow_tie.msh\" is folded or flat (its Jacobian is not positive at every corner); expected convex cells");
+  EXPECT_EQ(complaint("upright.msh", 2), "\"" + folder + "upright.msh\" leaves the plane z = 0; expected a plane mesh in x and y");
   EXPECT_EQ(complaint("none.msh", 2), "no such file \"" + folder + "none.msh\"; expected a .msh file of Gmsh");
   EXPECT_EQ(complaint("not_a_mesh.msh", 2), "\"" + folder + "not_a_mesh.msh\" is not a .msh file; expected a mesh saved by Gmsh");
   EXPECT_EQ(complaint("cantilever.toml", 2), "\"" + folder + "cantilever.toml\" is not a .msh file; expected a mesh saved by Gmsh");
+}
+
+TEST(Gmsh, EveryVersionOfTheFormat) {
+  const CellMesh original = read_gmsh(folder + "l_shape.msh", 2, 1.0);
+  for (const double version : {1.0, 2.2, 4.0, 4.1})
+    for (const double binary : {0.0, 1.0}) {
+      if (version == 4.0 && binary == 1.0) continue;  // Gmsh does not write it
+      const std::string file = testing::TempDir() + "femsph_l_shape_again.msh";
+      gmsh::initialize(0, nullptr, false);
+      gmsh::option::setNumber("General.Terminal", 0);
+      gmsh::open(folder + "l_shape.msh");
+      gmsh::option::setNumber("Mesh.MshFileVersion", version);
+      gmsh::option::setNumber("Mesh.Binary", binary);
+      gmsh::write(file);
+      gmsh::finalize();
+      const CellMesh again = read_gmsh(file, 2, 1.0);
+      EXPECT_EQ(again.vertices, original.vertices) << version;
+      EXPECT_EQ(again.cells, original.cells) << version;
+      EXPECT_EQ(again.facets.size(), 4u) << version;
+      EXPECT_EQ(again.groups.size(), 2u) << version;
+    }
 }
 
 TEST(Gmsh, LeavesTheProgramAsItWas) {
