@@ -8,6 +8,7 @@
 
 #include <cmath>
 #include <limits>
+#include <map>
 #include <thread>
 
 #include "model/results/record.hpp"
@@ -23,7 +24,7 @@ using testing::StartsWith;
 RunRecord sample() {
   RunRecord r;
   r.scene_file = "C:\\scenes\\\"odd\".toml";
-  r.scene_text = std::string("title = 'a'\r\n# caf\xC3\xA9\t\0 end", 28);
+  r.scene_text = "title = 'a'\r\n# caf\xC3\xA9\t" + std::string(1, '\0') + " no newline at the end";
   r.method = "SPH, corrected";
   r.command = "femsph run 'a b.toml'\n--spacing=\"1 mm\"\x01\x7f";
   r.derived = {{"critical step", "1.25e-6 s"}, {"particles", "16441"}, {"a.b = \"c\"", "'''\"\"\"\xC3\xA9"}};
