@@ -7,7 +7,6 @@
 
 #include "model/motion/recorder.hpp"
 #include "model/results/fields.hpp"
-#include "model/results/progress.hpp"
 #include "model/results/record.hpp"
 
 namespace femsph::compare {

@@ -90,14 +90,18 @@ class TotalLagrangian final : public ParticleBody {
   void material_state(const double* u, std::span<const std::size_t> points, MaterialState& out) const override {
     out.stress.resize(points.size());
     out.strain.resize(points.size());
+    Tensor<Pack, dim> H;
+    Symmetric<Pack, dim> strain, stress;
+    std::size_t known = std::size_t(-1);
     for (std::size_t k = 0; k < points.size(); ++k) {
       const std::size_t block = points[k] / lanes, lane = points[k] % lanes;
-      Tensor<Pack, dim> H;
-      Pack L[dim];
-      gradient<false>(block, u, H, L);
-      Symmetric<Pack, dim> strain;
-      Kinematics::template strain<Pack, dim>(H, strain);
-      const Symmetric<Pack, dim> stress = stress_now(block, strain);
+      if (block != known) {
+        Pack L[dim];
+        gradient<false>(block, u, H, L);
+        Kinematics::template strain<Pack, dim>(H, strain);
+        stress = stress_now(block, strain);
+        known = block;
+      }
       Tensor<double, dim> h;
       Symmetric<double, dim> s, e;
       for (int r = 0; r < dim; ++r)

@@ -1,5 +1,6 @@
 #include "model/results/fields.hpp"
 
+#include <numeric>
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -94,6 +95,7 @@ struct FieldWriter::Impl {
   std::optional<hdf5::Image> geometry, data;
   xdmf::Frame frame;  ///< described by `data`
   MaterialState state;
+  std::vector<std::size_t> all_points;
 
   void begin(long step, double time) {
     if (!data) {
@@ -142,7 +144,9 @@ void FieldWriter::snapshot(std::size_t body, long step, double time, const doubl
   impl_->begin(step, time);
   const Discretization& d = *impl_->discretizations.at(body);
   const std::size_t points = impl_->bodies[body].points, cells = impl_->bodies[body].cells;
-  d.material_state(u, impl_->state);
+  impl_->all_points.resize(d.material_points());
+  std::iota(impl_->all_points.begin(), impl_->all_points.end(), std::size_t{0});
+  d.material_state(u, impl_->all_points, impl_->state);
   const CellFields means = cell_means(d, impl_->state, cells);
 
   hdf5::Image& image = *impl_->data;

@@ -33,13 +33,14 @@ class FakeBody : public Discretization {
   std::size_t material_points() const override { return volumes_.size(); }
   Point material_position(std::size_t) const override { return {}; }
   double material_volume(std::size_t m) const override { return volumes_[m]; }
-  void material_state(const double*, MaterialState& out) const override {
-    out.stress.resize(material_points());
-    out.strain.resize(material_points());
-    for (std::size_t m = 0; m < material_points(); ++m)
-      for (int c = 0; c < 6; ++c) {
-        out.stress[m][c] = 1 + c + 10.0 * double(m);
-        out.strain[m][c] = out.stress[m][c] / 1000;
+  std::vector<Weight> material_interpolation(const Point&) const override { return {}; }
+  void material_state(const double*, std::span<const std::size_t> points, MaterialState& out) const override {
+    out.stress.resize(points.size());
+    out.strain.resize(points.size());
+    for (std::size_t k = 0; k < points.size(); ++k)
+      for (std::size_t c = 0; c < 6; ++c) {
+        out.stress[k][c] = 1.0 + double(c) + 10.0 * double(points[k]);
+        out.strain[k][c] = out.stress[k][c] / 1000;
       }
   }
   Topology topology() const override { return topology_; }
