@@ -9,6 +9,7 @@
 #include <cstdint>
 #include <numeric>
 #include <stdexcept>
+#include <utility>
 
 namespace femsph::fem {
 
@@ -33,7 +34,8 @@ void triangulate_box(const Shape& shape, const std::array<int, 3>& divisions, de
   dealii::GridGenerator::subdivided_hyper_rectangle(triangulation, n, to_dealii<dim>(shape.lower()), to_dealii<dim>(shape.upper()));
 }
 
-/// deal.II wants cells of positive measure whose shared edges have one direction; both may renumber the corners of a cell.
+/// deal.II wants cells of positive measure, so left-handed ones are mirrored, and shared edges of one direction: both renumber the
+/// corners of a cell, lexicographic as they are.
 template <int dim>
 void triangulate_cells(const CellMesh& mesh, dealii::Triangulation<dim>& triangulation) {
   std::vector<dealii::Point<dim>> vertices;
@@ -42,11 +44,12 @@ void triangulate_cells(const CellMesh& mesh, dealii::Triangulation<dim>& triangu
   for (const auto& c : mesh.cells) {
     dealii::CellData<dim> cell;
     for (unsigned int a = 0; a < cell.vertices.size(); ++a) cell.vertices[a] = static_cast<unsigned int>(c[a]);
+    if (dealii::GridTools::cell_measure(vertices, dealii::make_array_view(std::as_const(cell.vertices))) < 0)
+      for (unsigned int a = 0; a < cell.vertices.size(); a += 2) std::swap(cell.vertices[a], cell.vertices[a + 1]);
     cells.push_back(cell);
   }
   dealii::SubCellData none;
   dealii::GridTools::delete_unused_vertices(vertices, cells, none);
-  dealii::GridTools::invert_all_negative_measure_cells(vertices, cells);
   dealii::GridTools::consistently_order_cells(cells);
   triangulation.create_triangulation(vertices, cells, none);
 }
