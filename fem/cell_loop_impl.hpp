@@ -135,7 +135,7 @@ class Loop final : public StiffnessLoop<ElementType, dim, T> {
 
  public:
   Loop(const LoopInput& in, const LawType& law)
-      : Base(in, elastic_part(law)), material_{law, elastic_part(law), in.hourglass}, state_(batches_.count * state_size * lanes, 0.0) {}
+      : Base(in, law.elastic()), material_{law, law.elastic(), in.hourglass}, state_(batches_.count * state_size * lanes, 0.0) {}
 
   void add_force(const double* u, double* f) override {
     parallel_for(batches_.count, batches_per_domain, [&](std::size_t begin, std::size_t end) {
@@ -157,19 +157,22 @@ class Loop final : public StiffnessLoop<ElementType, dim, T> {
   }
 
   Energies energies(const double* u) const override {
-    const auto sum = [&](double EnergyObserver<LawType, dim>::*part) {
-      return thickness_ * parallel_sum(batches_.count, [&](std::size_t begin, std::size_t end) {
-               EnergyObserver<LawType, dim> observer{material_};
-               observe(u, begin, end, observer);
-               return observer.*part;
-             });
-    };
-    return {sum(&EnergyObserver<LawType, dim>::strain), sum(&EnergyObserver<LawType, dim>::hourglass_)};
+    // Two sums in one pass: the second is kept per chunk of parallel_sum and added in chunk order.
+    std::vector<double> hourglass(batches_.count, 0.0);
+    Energies sum;
+    sum.strain = thickness_ * parallel_sum(batches_.count, [&](std::size_t begin, std::size_t end) {
+      EnergyObserver<LawType, dim> observer{material_};
+      observe(u, begin * lanes, std::min(end * lanes, batches_.cells), observer);
+      hourglass[begin] = observer.hourglass_;
+      return observer.strain;
+    });
+    for (const double part : hourglass) sum.hourglass += thickness_ * part;
+    return sum;
   }
 
-  void samples(const double* u, const std::function<void(const Sample&)>& take) const override {
+  void samples(const double* u, std::size_t begin, std::size_t end, const std::function<void(const Sample&)>& take) const override {
     SampleObserver<dim> observer{material_.elastic, take};
-    observe(u, 0, batches_.count, observer);
+    observe(u, begin, end, observer);
   }
   std::size_t bytes() const override { return Base::bytes() + state_.capacity() * sizeof(double); }
 
@@ -178,10 +181,10 @@ class Loop final : public StiffnessLoop<ElementType, dim, T> {
     for (int k = 0; k < state_size; ++k) state[k] = state_[(b * state_size + k) * lanes + lane];
   }
 
-  /// Shows every material point to the observer, cell by cell, and leaves the state alone.
+  /// Shows the material points of cells begin .. end - 1 to the observer, and leaves the state alone.
   template <class Observer>
   void observe(const double* u, std::size_t begin, std::size_t end, Observer& observer) const {
-    for (std::size_t c = begin * lanes; c < std::min(end * lanes, batches_.cells); ++c) {
+    for (std::size_t c = begin; c < end; ++c) {
       const std::size_t b = c / lanes;
       const int lane = static_cast<int>(c % lanes);
       double f[size], state[state_size + 1];

@@ -1,9 +1,12 @@
 #include "fem/explicit_fem.hpp"
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
 #include <stdexcept>
 
 #include "fem/geometry.hpp"
+#include "model/numerics/least_squares.hpp"
 #include "model/numerics/parallel.hpp"
 
 namespace femsph::fem {
@@ -112,13 +115,39 @@ double ExplicitFem::material_volume(std::size_t point) const {
   return thickness_ * v / static_cast<double>(n);
 }
 
-void ExplicitFem::material_state(const double* u, MaterialState& out) const {
-  out.stress.assign(material_points(), {});
-  out.strain.assign(material_points(), {});
-  loop_->samples(u, [&](const Sample& s) {
-    out.stress[s.point] = s.stress;
-    out.strain[s.point] = s.strain;
-  });
+std::vector<Weight> ExplicitFem::material_interpolation(const Point& p) const {
+  const std::size_t n = static_cast<std::size_t>(loop_->points_per_cell());
+  if (n == 1) {
+    std::vector<Point> centres(mesh_.cell_count());
+    for (std::size_t c = 0; c < centres.size(); ++c) centres[c] = map_point(mesh_, c, {});
+    return least_squares_weights(centres, mesh_.dim, p, 1.6 * spacing_, 1e-6 * spacing_);
+  }
+  const std::vector<Locator::Found> cells = locator_.find_all(p);
+  std::vector<Weight> r;
+  for (const auto& [cell, xi] : cells) {
+    Point stretched{};  // the points are the corners of a cell 1/sqrt(3) the size
+    for (int d = 0; d < mesh_.dim; ++d) stretched[d] = std::sqrt(3.0) * xi[d];
+    const auto N = shape_functions(mesh_.dim, stretched);
+    for (std::size_t q = 0; q < n; ++q) r.push_back({cell * n + q, N[q] / static_cast<double>(cells.size())});
+  }
+  return r;
+}
+
+void ExplicitFem::material_state(const double* u, std::span<const std::size_t> points, MaterialState& out) const {
+  const std::size_t n = static_cast<std::size_t>(loop_->points_per_cell());
+  out.stress.resize(points.size());
+  out.strain.resize(points.size());
+  std::vector<Sample> cell;
+  std::size_t known = std::numeric_limits<std::size_t>::max();
+  for (std::size_t k = 0; k < points.size(); ++k) {
+    if (points[k] / n != known) {
+      known = points[k] / n;
+      cell.clear();
+      loop_->samples(u, known, known + 1, [&](const Sample& s) { cell.push_back(s); });
+    }
+    out.stress[k] = cell[points[k] % n].stress;
+    out.strain[k] = cell[points[k] % n].strain;
+  }
 }
 
 Topology ExplicitFem::topology() const {

@@ -37,7 +37,10 @@ class ExplicitFem : public Discretization {
   std::size_t material_points() const override { return mesh_.cell_count() * static_cast<std::size_t>(loop_->points_per_cell()); }
   Point material_position(std::size_t point) const override;
   double material_volume(std::size_t point) const override;
-  void material_state(const double* u, MaterialState& out) const override;
+  /// Four or eight points a cell: each cell at p carries its values out to p, multilinear through its points, and the mean of these
+  /// cells counts. One point a cell: a linear fit to the cells around.
+  std::vector<Weight> material_interpolation(const Point& p) const override;
+  void material_state(const double* u, std::span<const std::size_t> points, MaterialState& out) const override;
   Topology topology() const override;
 
  protected:

@@ -103,26 +103,34 @@ std::array<int, 3> Locator::bin(const Point& p) const {
   return r;
 }
 
-Locator::Found Locator::find(const Point& p) const {
+Locator::Found Locator::find(const Point& p) const { return find_all(p).front(); }
+
+std::vector<Locator::Found> Locator::find_all(const Point& p) const {
   constexpr double tolerance = 1e-6;
-  const auto b = bin(p);
-  Found best{0, {}};
-  double outside = 1;
-  for (int i = begin_[index(b[0], b[1], b[2])]; i < begin_[index(b[0], b[1], b[2]) + 1]; ++i) {
-    const std::size_t cell = static_cast<std::size_t>(cells_[static_cast<std::size_t>(i)]);
-    const Point xi = inverse_map(mesh_, cell, p);
-    double excess = 0;
-    for (int d = 0; d < mesh_.dim; ++d) excess = std::max(excess, std::abs(xi[d]) - 1);
-    if (excess < outside) {
-      outside = excess;
-      best = {cell, xi};
+  Point below = p, above = p;
+  for (int d = 0; d < mesh_.dim; ++d) below[d] -= tolerance * size_[d], above[d] += tolerance * size_[d];
+  const auto low = bin(below), high = bin(above);
+  std::vector<int> candidates;
+  for (int k = low[2]; k <= high[2]; ++k)
+    for (int j = low[1]; j <= high[1]; ++j)
+      for (int i = low[0]; i <= high[0]; ++i)
+        candidates.insert(candidates.end(), cells_.begin() + begin_[index(i, j, k)], cells_.begin() + begin_[index(i, j, k) + 1]);
+  std::sort(candidates.begin(), candidates.end());
+  candidates.erase(std::unique(candidates.begin(), candidates.end()), candidates.end());
+  std::vector<Found> found;
+  for (const int c : candidates) {
+    Found f{static_cast<std::size_t>(c), inverse_map(mesh_, static_cast<std::size_t>(c), p)};
+    bool inside = true;
+    for (int d = 0; d < mesh_.dim; ++d) {
+      inside = inside && std::abs(f.xi[d]) < 1 + tolerance;
+      f.xi[d] = std::clamp(f.xi[d], -1.0, 1.0);
     }
+    if (inside) found.push_back(f);
   }
-  if (!(outside < tolerance))
+  if (found.empty())
     throw std::runtime_error("the point (" + std::to_string(p[0]) + ", " + std::to_string(p[1]) + ", " + std::to_string(p[2]) +
                              ") m lies in no cell of the mesh");
-  for (int d = 0; d < mesh_.dim; ++d) best.xi[d] = std::clamp(best.xi[d], -1.0, 1.0);
-  return best;
+  return found;
 }
 
 }  // namespace femsph::fem

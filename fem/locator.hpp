@@ -1,6 +1,8 @@
 #pragma once
 // Finds the cell that holds a point: cells in the bins of a grid, then Newton's method on the bilinear map.
 
+#include <vector>
+
 #include "fem/mesh.hpp"
 
 namespace femsph::fem {
@@ -14,6 +16,8 @@ class Locator {
   };
   /// Throws std::runtime_error when the point lies outside by more than 1e-6 of a cell: nothing is extrapolated.
   Found find(const Point& p) const;
+  /// Every cell that holds the point, within the same tolerance: several on a common side or corner. Throws as find does.
+  std::vector<Found> find_all(const Point& p) const;
   std::size_t bytes() const { return sizeof(int) * (begin_.capacity() + cells_.capacity()); }
 
  private:

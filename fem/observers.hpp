@@ -6,15 +6,6 @@
 
 namespace femsph::fem {
 
-/// The linear elastic part of a law: itself, or its member `elastic`.
-template <class LawType>
-LinearElastic elastic_part(const LawType& law) {
-  if constexpr (std::is_same_v<LawType, LinearElastic>)
-    return law;
-  else
-    return law.elastic;
-}
-
 template <class LawType, int dim>
 struct EnergyObserver {
   const CellMaterial<LawType>& material;

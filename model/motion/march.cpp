@@ -20,7 +20,7 @@ void March::run(const MarchEvents& events) {
   const long planned = planned_steps();
   const auto every = [&](int count) { return count > 0 ? std::max(1L, planned / count) : planned + 1; };
   const long sample_every = every(scene_.samples), snapshot_every = every(scene_.snapshots);
-  watch_every_ = std::clamp(planned / 1000, 20L, 500L);
+  watch_every_ = std::clamp(planned / 300, 25L, 1000L);
   const double cpu = cpu_seconds(), wall = wall_seconds();
   while (true) {
     {

@@ -109,8 +109,7 @@ TEST_P(Balance, ForcesTurnWithTheBody) {
 TEST_P(Balance, RigidRotationBy90DegreesGivesNoStress) {
   const auto d = make(true);
   const auto u = field(*d, [](const Point& x) { return Point{-x[1] - x[0], x[0] - x[1], 0}; });
-  MaterialState state;
-  d->material_state(u.data(), state);
+  const MaterialState state = state_of(*d, u);
   for (const auto& s : state.stress)
     for (const double x : s) EXPECT_NEAR(x, 0, 1e-14);  // E = 2
   EXPECT_LT(largest(force(*d, u)), 1e-14);

@@ -59,8 +59,7 @@ class LargePatch : public Patch {};
 TEST_P(SmallPatch, GradientIsSeenExactly) {
   const std::array<Point, 3> H{Point{2e-3, 1e-3, -3e-3}, Point{-4e-3, 5e-3, 2e-3}, Point{1e-3, 6e-3, -2e-3}};
   const auto u = linear(H);
-  MaterialState state;
-  fem_->material_state(u.data(), state);
+  const MaterialState state = state_of(*fem_, u);
   for (const auto& e : state.strain) {
     EXPECT_NEAR(e[0], H[0][0], 1e-15);
     EXPECT_NEAR(e[1], H[1][1], 1e-15);
@@ -77,8 +76,7 @@ TEST_P(SmallPatch, GradientIsSeenExactly) {
 TEST_P(LargePatch, ConstantStressIsBalanced) {
   // Rotation by about 50 degrees, stretches of 0.8 to 1.3: the same constant stress everywhere.
   const auto u = linear({Point{-0.3, -0.8, 0.1}, Point{0.9, -0.2, 0.05}, Point{-0.1, 0.1, 0.15}});
-  MaterialState state;
-  fem_->material_state(u.data(), state);
+  const MaterialState state = state_of(*fem_, u);
   for (const auto& s : state.stress)
     for (int k = 0; k < 6; ++k) EXPECT_NEAR(s[k], state.stress[0][k], 1e-11 * 210e9);
   EXPECT_LT(unbalanced(u), 1e-11);

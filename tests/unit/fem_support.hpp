@@ -76,6 +76,16 @@ inline double largest(const std::vector<double>& a) {
   return m;
 }
 
+/// Stress and strain of all material points.
+template <class Vector>
+MaterialState state_of(const Discretization& d, const Vector& u) {
+  std::vector<std::size_t> all(d.material_points());
+  for (std::size_t i = 0; i < all.size(); ++i) all[i] = i;
+  MaterialState state;
+  d.material_state(u.data(), all, state);
+  return state;
+}
+
 inline double value_at(const Discretization& d, const std::vector<double>& u, const Point& p, int component) {
   double s = 0;
   for (const Weight& w : d.interpolation(p)) s += w.weight * u[d.layout().at(w.point, component)];
