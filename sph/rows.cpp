@@ -71,7 +71,7 @@ class VirtualRows final : public LatticeRows {
     for (const Offset& o : offsets_) {
       const std::array<int, 3> ghost{at[0] + o.by[0], at[1] + o.by[1], at[2] + o.by[2]};
       const Neighbour full{0, {p_.cell * o.gradient[0], p_.cell * o.gradient[1], p_.cell * o.gradient[2]}, p_.cell * o.steepness};
-      spread(ghost, 0, 1.0, full, out);
+      spread(ghost, full, out);
     }
     std::erase_if(out, [&](const Neighbour& n) { return n.index == int(i); });
   }
@@ -82,23 +82,29 @@ class VirtualRows final : public LatticeRows {
   }
 
  private:
-  /// u at a place beyond a side is 2 u(on the side) - u(mirrored), axis by axis: ends at real particles with coefficients of sum 1.
-  void spread(std::array<int, 3> at, int axis, double coefficient, const Neighbour& full, Row& out) const {
-    if (axis == p_.dim) {
-      const int j = p_.lattice.particle(at[0], at[1], at[2]);
-      auto found = std::find_if(out.begin(), out.end(), [&](const Neighbour& n) { return n.index == j; });
-      if (found == out.end()) found = out.insert(out.end(), {j, {0, 0, 0}, 0});
-      for (int a = 0; a < 3; ++a) found->w[a] += coefficient * full.w[a];
-      found->scale += coefficient * full.scale;
-      return;
-    }
-    const int last = p_.lattice.count[axis] - 1;
-    if (at[axis] >= 0 && at[axis] <= last) return spread(at, axis + 1, coefficient, full, out);
-    const int side = at[axis] < 0 ? 0 : last, mirror = std::clamp(2 * side - at[axis], 0, last);
-    at[axis] = side;
-    spread(at, axis + 1, 2 * coefficient, full, out);
-    at[axis] = mirror;
-    spread(at, axis + 1, -coefficient, full, out);
+  /// A place along one axis as a sum of places inside: itself, or 2 (on the side) - (mirrored).
+  struct Part {
+    int at;
+    double coefficient;
+  };
+  std::vector<Part> parts(int at, int axis) const {
+    const int last = p_.lattice.count[std::size_t(axis)] - 1;
+    if (at >= 0 && at <= last) return {{at, 1.0}};
+    const int side = at < 0 ? 0 : last;
+    return {{side, 2.0}, {std::clamp(2 * side - at, 0, last), -1.0}};
+  }
+
+  void spread(const std::array<int, 3>& at, const Neighbour& full, Row& out) const {
+    for (const Part& z : parts(at[2], 2))
+      for (const Part& y : parts(at[1], 1))
+        for (const Part& x : parts(at[0], 0)) {
+          const int j = p_.lattice.particle(x.at, y.at, z.at);
+          const double coefficient = x.coefficient * y.coefficient * z.coefficient;
+          auto found = std::find_if(out.begin(), out.end(), [&](const Neighbour& n) { return n.index == j; });
+          if (found == out.end()) found = out.insert(out.end(), {j, {0, 0, 0}, 0});
+          for (int a = 0; a < 3; ++a) found->w[a] += coefficient * full.w[a];
+          found->scale += coefficient * full.scale;
+        }
   }
 };
 

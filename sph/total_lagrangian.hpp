@@ -70,19 +70,21 @@ class TotalLagrangian final : public ParticleBody {
     });
   }
 
-  /// sum_i V_i kappa/2 sum_j scale_ij |H_i x_ij - u_ij|^2 = sum_i V_i kappa/2 (sum_j scale_ij |u_ij|^2 - H_raw : H).
+  /// sum_i V_i kappa/2 sum_j scale_ij |H_i x_ij - u_ij|^2, with scale_ij x_ij = w_ij.
   double hourglass_energy(const double* u) const override {
     if constexpr (!hourglass) return 0;
     return sum_over_blocks([&](std::size_t block) {
-      Tensor<Pack, dim> raw, H;
+      Tensor<Pack, dim> H;
       Pack L[dim], sum{};
-      stencils_.template gradient<false>(block, u + first(block), stride(), raw, L);
       gradient<false>(block, u, H, L);
-      stencils_.each(block, u + first(block), stride(), [&](const Pack(&difference)[dim], const Pack(&)[dim], const Pack& scale) {
-        for (int r = 0; r < dim; ++r) sum += scale * difference[r] * difference[r];
+      stencils_.each(block, u + first(block), stride(), [&](const Pack(&difference)[dim], const Pack(&w)[dim], const Pack& scale) {
+        const Pack there = select(scale > 0.0, scale, broadcast<Pack>(1.0));
+        for (int r = 0; r < dim; ++r) {
+          Pack e = H[r][0] * w[0] - scale * difference[r];
+          for (int c = 1; c < dim; ++c) e += H[r][c] * w[c];
+          sum += e * e / there;
+        }
       });
-      for (int r = 0; r < dim; ++r)
-        for (int c = 0; c < dim; ++c) sum -= raw[r][c] * H[r][c];
       return 0.5 * kappa_ * volume(block) * sum;
     });
   }

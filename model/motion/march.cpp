@@ -137,56 +137,65 @@ void March::kick_and_drift() {
   }
 }
 
-double March::kinetic_energy() const {
-  double sum = 0;
+// With v+ - v- = dt (f/m - c vbar) + dt g/m, the energy 1/2 v-.M v+ changes from step n to n + 1 by
+// 1/2 dt v(n+1/2) . (f(n) + f(n+1)) less what damping and viscosity take the same way. So the losses at step n count with v- for the
+// interval before it and with v+ for the one after it: together vbar, and half of it at the ends.
+March::Kinetic March::kinetic() const {
+  Kinetic k;
+  const double keep = (1 - 0.5 * damping_rate_ * dt_) / (1 + 0.5 * damping_rate_ * dt_), push = dt_ / (1 + 0.5 * damping_rate_ * dt_);
   for (const MovingBody& body : bodies_) {
     const bool viscous = !body.viscous.empty();
-    const double keep = (1 - 0.5 * damping_rate_ * dt_) / (1 + 0.5 * damping_rate_ * dt_), push = dt_ / (1 + 0.5 * damping_rate_ * dt_);
-    sum += parallel_sum(body.v.size(), [&](std::size_t begin, std::size_t end) {
-      double s = 0;
-      for (std::size_t i = begin; i < end; ++i) {
-        const double w = body.inverse_mass[i];
-        if (w == 0) continue;
-        const double force = viscous ? body.f[i] + body.viscous[i] : body.f[i];
-        s += 0.5 / w * body.v[i] * (keep * body.v[i] + push * w * force);
-      }
-      return s;
-    });
+    const auto sum = [&](auto&& part) {
+      return parallel_sum(body.v.size(), [&](std::size_t begin, std::size_t end) {
+        double s = 0;
+        for (std::size_t i = begin; i < end; ++i) {
+          const double w = body.inverse_mass[i], before = body.v[i];
+          if (w == 0) continue;
+          s += part(i, before, keep * before + push * w * (viscous ? body.f[i] + body.viscous[i] : body.f[i]));
+        }
+        return s;
+      });
+    };
+    k.energy += sum([&](std::size_t i, double before, double after) { return 0.5 / body.inverse_mass[i] * before * after; });
+    if (damping_rate_ > 0)
+      k.damping += 0.25 * damping_rate_ * dt_ * sum([&](std::size_t i, double before, double after) { return (before + after) * before / body.inverse_mass[i]; });
+    if (viscous) k.viscosity -= 0.5 * dt_ * sum([&](std::size_t i, double before, double) { return body.viscous[i] * before; });
   }
-  return sum;
+  return k;
 }
 
 Ledger March::ledger() const {
   Ledger l;
-  l.kinetic = kinetic_energy();
+  const Kinetic k = kinetic();
+  l.kinetic = k.energy;
   for (const MovingBody& body : bodies_) {
     l.strain += body.discretization->strain_energy(body.u.data());
     l.hourglass += body.discretization->hourglass_energy(body.u.data());
   }
   l.external = external_work_;
-  l.damping = damping_loss_;
-  l.viscosity = viscous_loss_;
+  l.damping = damping_loss_ + k.damping - start_damping_;
+  l.viscosity = viscous_loss_ + k.viscosity - start_viscosity_;
   l.initial = initial_energy_;
   return l;
 }
 
 /// Kinetic damping (Cundall): when the kinetic energy has passed a peak, all velocities start again from rest.
 void March::stop_at_kinetic_peak() {
-  double kinetic = 0;
+  double now = 0;
   for (const MovingBody& body : bodies_)
-    kinetic += parallel_sum(body.v.size(), [&](std::size_t begin, std::size_t end) {
+    now += parallel_sum(body.v.size(), [&](std::size_t begin, std::size_t end) {
       double s = 0;
       for (std::size_t i = begin; i < end; ++i) s += 0.5 * body.mass[i] * body.v[i] * body.v[i];
       return s;
     });
-  if (kinetic >= half_step_kinetic_) {
-    half_step_kinetic_ = kinetic;
+  if (now >= half_step_kinetic_) {
+    half_step_kinetic_ = now;
     return;
   }
-  const double before = kinetic_energy();
+  const double before = kinetic().energy;
   for (MovingBody& body : bodies_)
     for (std::size_t i = 0; i < body.v.size(); ++i) body.v[i] = -0.5 * dt_ * body.inverse_mass[i] * body.f[i];
-  damping_loss_ += before - kinetic_energy();
+  damping_loss_ += before - kinetic().energy;
   half_step_kinetic_ = 0;
 }
 

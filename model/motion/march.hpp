@@ -85,7 +85,11 @@ class March {
   void kick_and_drift();    ///< v += dt f/m, u += dt v, with whichever damping is on
   void watch();             ///< now and then: has it settled, is it still sound, how strong should the damping be
   void stop_at_kinetic_peak();
-  double kinetic_energy() const;
+  /// What the march's energies are made of at a whole step: 1/2 v- . M v+, and half a step's loss to damping and viscosity at v-.
+  struct Kinetic {
+    double energy = 0, damping = 0, viscosity = 0;
+  };
+  Kinetic kinetic() const;
   template <class Take>
   void internal_forces(const MovingBody& body, Take&& take) const;
   [[noreturn]] void fail(const std::string& what, const std::string& advice) const;
@@ -97,6 +101,7 @@ class March {
   bool adaptive_damping_ = false, kinetic_damping_ = false, settled_ = false;
   long step_ = 0, watch_every_ = 1;
   double external_work_ = 0, damping_loss_ = 0, viscous_loss_ = 0, initial_energy_ = 0;
+  double start_damping_ = 0, start_viscosity_ = 0;  ///< the half-step losses at the first step, which belong before it
   double half_step_kinetic_ = 0;  ///< of the last half step; kinetic damping only
   double still_since_ = -1;       ///< s; below 0: still moving
   Price price_;

@@ -68,8 +68,9 @@ void March::place_supports_and_loads(MovingBody& body, std::size_t index) {
   }
 }
 
-/// The leap-frog's first velocity belongs to half a step before the start: v(-1/2) = v(0) - dt/2 a(0).
+/// The leap-frog's first velocity belongs to half a step before the start, such that the mean of v(-1/2) and v(+1/2) is v(0).
 void March::start_velocities() {
+  const double keep = (1 - 0.5 * damping_rate_ * dt_) / (1 + 0.5 * damping_rate_ * dt_), push = dt_ / (1 + 0.5 * damping_rate_ * dt_);
   for (std::size_t b = 0; b < bodies_.size(); ++b) {
     MovingBody& body = bodies_[b];
     const Layout& at = body.discretization->layout();
@@ -81,9 +82,15 @@ void March::start_velocities() {
             if (body.inverse_mass[slot] == 0) continue;
             body.v[slot] = start.velocity[c];
           }
-    for (std::size_t i = 0; i < body.v.size(); ++i) body.v[i] -= 0.5 * dt_ * body.inverse_mass[i] * body.f[i];
+    for (std::size_t i = 0; i < body.v.size(); ++i) {
+      const double force = body.viscous.empty() ? body.f[i] : body.f[i] + body.viscous[i];
+      body.v[i] = (2 * body.v[i] - push * body.inverse_mass[i] * force) / (1 + keep);
+    }
   }
-  initial_energy_ = kinetic_energy();
+  const Kinetic k = kinetic();
+  initial_energy_ = k.energy;
+  start_damping_ = k.damping;
+  start_viscosity_ = k.viscosity;
 }
 
 long March::planned_steps() const { return std::max(1L, std::lround(std::ceil(scene_.duration / dt_ - 1e-9))); }

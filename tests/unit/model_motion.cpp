@@ -15,12 +15,12 @@
 namespace femsph {
 namespace {
 
-constexpr double mass = 2.0, stiffness = 800.0, omega = 20.0;
+constexpr double mass_of_it = 2.0, spring = 800.0, omega = 20.0;
 
 /// Mass 0 is free in x and y and held by the spring in x; optionally a constant negative force law that blows up.
 class Spring : public Discretization {
  public:
-  explicit Spring(double k = stiffness, double explode_at = 1e300) : k_(k), explode_at_(explode_at), mass_{mass} { layout_ = {1, 2, 2, 1, 0, 2}; }
+  explicit Spring(double k = spring, double explode_at = 1e300) : k_(k), explode_at_(explode_at), mass_(1, mass_of_it) { layout_ = {1, 2, 2, 1, 0, 2}; }
   std::string describe() const override { return "a spring"; }
   const Layout& layout() const override { return layout_; }
   std::span<const double> mass() const override { return mass_; }
@@ -71,8 +71,8 @@ Load push(Point force, TimeHistory history = {}) {
   return l;
 }
 
-struct Run {
-  explicit Run(const Scene& scene, MarchOptions options = {}, std::unique_ptr<Discretization> body = std::make_unique<Spring>())
+struct Marched {
+  explicit Marched(const Scene& scene, MarchOptions options = {}, std::unique_ptr<Discretization> body = std::make_unique<Spring>())
       : march(scene, one(std::move(body)), options), recorder(march) {
     MarchEvents events;
     events.sample = [&](const March& m) {
@@ -97,7 +97,7 @@ TEST(March, StepIsTheSafetyTimesTheCriticalStep) {
   const Scene s = scene_for(0.01);
   MarchOptions o;
   o.safety = 0.5;
-  Run r(s, o);
+  Marched r(s, o);
   EXPECT_NEAR(r.march.critical_step(), 2 / omega, 1e-12);
   EXPECT_DOUBLE_EQ(r.march.dt(), 0.5 * r.march.critical_step());
 }
@@ -106,14 +106,14 @@ TEST(March, StepOverTheLimitIsRefusedWithTheLimit) {
   const Scene s = scene_for(0.01);
   MarchOptions o;
   o.step = 1.1 * 2 / omega;
-  EXPECT_THAT([&] { Run r(s, o); }, testing::ThrowsMessage<MotionError>(testing::HasSubstr("over the limit: the largest stable step is 0.1 s")));
+  EXPECT_THAT([&] { Marched r(s, o); }, testing::ThrowsMessage<MotionError>(testing::HasSubstr("over the limit: the largest stable step is 0.1 s")));
 }
 
 // A step load F: u(n) = F/k (1 - cos(omega_d t)) exactly, with omega_d of the leap-frog (start at rest is a symmetric start).
 TEST(March, StepLoadMovesWithTheDiscreteFrequency) {
   Scene s = scene_for(2.0);
   s.loads.push_back(push({40, 0, 0}));
-  Run r(s);
+  Marched r(s);
   const double dt = r.march.dt(), discrete = 2 / dt * std::asin(omega * dt / 2);
   for (std::size_t n = 0; n < r.x().size(); ++n) ASSERT_NEAR(r.x()[n], 0.05 * (1 - std::cos(discrete * double(n) * dt)), 1e-12) << n;
   EXPECT_LT(r.worst, 1e-14 * 40 * 0.1);
@@ -124,11 +124,11 @@ TEST(March, GravityAndInitialVelocity) {
   Scene s = scene_for(1.0);
   s.gravity = Point{0, -10, 0};
   s.initial_velocities.push_back({0, {0, 3, 0}});
-  Run r(s);
+  Marched r(s);
   const double t = r.march.time();
   EXPECT_NEAR(r.y().back(), 3 * t - 5 * t * t, 1e-12);
   EXPECT_LT(r.worst, 1e-12);
-  EXPECT_NEAR(r.march.ledger().external, mass * 10 * (5 * t * t - 3 * t), 1e-11);
+  EXPECT_NEAR(r.march.ledger().external, mass_of_it * 10 * (5 * t * t - 3 * t), 1e-11);
 }
 
 TEST(March, RampBalancesItsEnergyToo) {
@@ -137,7 +137,7 @@ TEST(March, RampBalancesItsEnergyToo) {
   ramp.time = {0, 0.7};
   ramp.factor = {0, 1};
   s.loads.push_back(push({40, 0, 0}, ramp));
-  EXPECT_LT(Run(s).worst, 1e-13);
+  EXPECT_LT(Marched(s).worst, 1e-13);
 }
 
 // Amplitude of damped free vibration after time t: exp(-c t / 2); energy all accounted for.
@@ -147,13 +147,16 @@ TEST(March, DampingTakesWhatTheLedgerSays) {
   s.initial_velocities.push_back({0, {1, 0, 0}});
   MarchOptions o;
   o.safety = 0.02;
-  Run r(s, o);
+  Marched r(s, o);
   double last_peak = 0;
   for (std::size_t n = 1; n + 1 < r.x().size(); ++n)
-    if (r.x()[n] > r.x()[n - 1] && r.x()[n] >= r.x()[n + 1]) last_peak = double(n) * r.march.dt(), EXPECT_NEAR(r.x()[n], std::exp(-2 * last_peak) / omega, 2e-3 / omega);
-  EXPECT_GT(last_peak, 0.8);
+    if (r.x()[n] > r.x()[n - 1] && r.x()[n] >= r.x()[n + 1]) {
+      last_peak = double(n) * r.march.dt();
+      EXPECT_NEAR(r.x()[n], std::exp(-2 * last_peak) / omega, 2e-3 / omega);
+    }
+  EXPECT_GT(last_peak, 0.7);
   EXPECT_LT(r.worst, 1e-14);
-  EXPECT_NEAR(r.march.ledger().damping, 0.5 * mass * (1 - std::exp(-4.0)), 2e-2 * mass);
+  EXPECT_NEAR(r.march.ledger().damping, 0.5 * mass_of_it * (1 - std::exp(-4.0)), 2e-2 * mass_of_it);
 }
 
 TEST(March, SettlesToTheStaticStateByEitherMethod) {
@@ -166,11 +169,11 @@ TEST(March, SettlesToTheStaticStateByEitherMethod) {
     s.settling = Settling{method, 1e-6, {}};
     MarchOptions o;
     o.safety = 0.1;
-    Run r(s, o);
+    Marched r(s, o);
     EXPECT_TRUE(r.march.settled());
     EXPECT_NEAR(r.x().back(), 0.05, 0.05 * 2e-6);
     EXPECT_LT(std::abs(r.march.ledger().imbalance()), 1e-13);
-    EXPECT_NEAR(r.march.ledger().damping, 40 * 0.05 / 2, 1e-4);
+    EXPECT_NEAR(r.march.ledger().damping, r.march.ledger().initial + 40 * 0.05 / 2, 1e-5);
   }
 }
 
@@ -179,17 +182,17 @@ TEST(March, SupportsHoldAndUnsupportedScenesAreNamed) {
   Support hold;
   hold.fixed = {true, true, true};
   s.supports.push_back(hold);
-  EXPECT_THAT([&] { Run r(s); }, testing::ThrowsMessage<MotionError>(testing::HasSubstr("nothing in this scene can move")));
+  EXPECT_THAT([&] { Marched r(s); }, testing::ThrowsMessage<MotionError>(testing::HasSubstr("nothing in this scene can move")));
   s.supports[0].place.sides = {"nowhere"};
   s.supports[0].place.source = {7, 3};
   s.file = "scene.toml";
-  EXPECT_THAT([&] { Run r(s); }, testing::ThrowsMessage<MotionError>(testing::HasSubstr("scene.toml:7:3: this support finds no point of body \"body\"")));
+  EXPECT_THAT([&] { Marched r(s); }, testing::ThrowsMessage<MotionError>(testing::HasSubstr("scene.toml:7:3: this support finds no point of body \"body\"")));
 }
 
 TEST(March, StopsAtNotANumberWithStepPlaceAndAdvice) {
   Scene s = scene_for(10.0);
   s.loads.push_back(push({40, 0, 0}));
-  EXPECT_THAT([&] { Run r(s, {}, std::make_unique<Spring>(stiffness, 0.09)); },
+  EXPECT_THAT([&] { Marched r(s, {}, std::make_unique<Spring>(spring, 0.09)); },
               testing::ThrowsMessage<MotionError>(testing::AllOf(testing::HasSubstr("stopped at step"), testing::HasSubstr("point 0 at (0.5, 0.25, 0) m"),
                                                                  testing::HasSubstr("not a finite number"), testing::HasSubstr("--safety"))));
 }
