@@ -25,7 +25,6 @@ struct Batches {
   /// Ghost slots by node: node[i] also owns slot[begin[i]] .. slot[begin[i + 1] - 1].
   std::vector<int> shared_node, shared_begin, shared_slot;
 
-  Batches() = default;
   explicit Batches(const Mesh& mesh);
   std::size_t bytes() const;
   /// Adds the ghost slots to their nodes and clears them. `dim` components per slot.

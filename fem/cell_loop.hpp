@@ -12,9 +12,9 @@ namespace femsph::fem {
 
 /// One material point as the loop sees it, in the axes of space.
 struct Sample {
-  std::size_t point;                    ///< cell * points per cell + number in the cell
-  double volume;                        ///< m^dim, without the thickness
-  std::array<double, 6> stress, strain; ///< Cauchy; xx yy zz xy yz zx
+  std::size_t point;                     ///< cell * points per cell + number in the cell
+  double volume;                         ///< m^dim, without the thickness
+  std::array<double, 6> stress, strain;  ///< Cauchy; xx yy zz xy yz zx
 };
 
 struct Energies {

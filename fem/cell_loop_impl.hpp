@@ -144,7 +144,8 @@ class Loop final : public StiffnessLoop<ElementType, dim, T> {
         for (int lane = 0; lane < this->lane_loops(b); ++lane) {
           T nodal[size];
           if constexpr (state_size == 0 || lanes_of<T> == lanes) {
-            this->template cell<Kinematics>(material_, b, lane, u, reinterpret_cast<T*>(state_.data() + b * state_size * lanes), nodal, nobody);
+            this->template cell<Kinematics>(material_, b, lane, u, reinterpret_cast<T*>(state_.data() + b * state_size * lanes), nodal,
+                                            nobody);
           } else {
             double state[state_size + 1];
             read_state(b, lane, state);

@@ -7,7 +7,6 @@
 
 #include "fem/geometry.hpp"
 #include "model/numerics/least_squares.hpp"
-#include "model/numerics/parallel.hpp"
 
 namespace femsph::fem {
 
@@ -15,10 +14,14 @@ namespace {
 
 const char* name_of(Element element) {
   switch (element) {
-    case Element::full: return "full integration";
-    case Element::sri: return "selective reduced integration";
-    case Element::one_point: return "one point with hourglass control";
-    case Element::assumed_strain: return "assumed strain";
+    case Element::full:
+      return "full integration";
+    case Element::sri:
+      return "selective reduced integration";
+    case Element::one_point:
+      return "one point with hourglass control";
+    case Element::assumed_strain:
+      return "assumed strain";
   }
   return "";
 }
@@ -46,10 +49,14 @@ Layout interleaved(const Mesh& mesh, const Batches& batches) {
 
 std::unique_ptr<CellLoop> make_loop(Element element, const LoopInput& in) {
   switch (element) {
-    case Element::full: return make_full_loop(in);
-    case Element::sri: return make_sri_loop(in);
-    case Element::one_point: return make_one_point_loop(in);
-    case Element::assumed_strain: return make_assumed_strain_loop(in);
+    case Element::full:
+      return make_full_loop(in);
+    case Element::sri:
+      return make_sri_loop(in);
+    case Element::one_point:
+      return make_one_point_loop(in);
+    case Element::assumed_strain:
+      return make_assumed_strain_loop(in);
   }
   throw std::runtime_error("unknown element");
 }
@@ -71,7 +78,8 @@ ExplicitFem::ExplicitFem(const Scene& scene, std::size_t body, const Options& op
 }
 
 std::string ExplicitFem::describe() const {
-  return "explicit FEM, " + std::to_string(mesh_.cell_count()) + (mesh_.dim == 2 ? " quadrilaterals, " : " hexahedra, ") + name_of(element_);
+  return "explicit FEM, " + std::to_string(mesh_.cell_count()) + (mesh_.dim == 2 ? " quadrilaterals, " : " hexahedra, ") +
+         name_of(element_);
 }
 
 std::size_t ExplicitFem::bytes() const {
@@ -91,7 +99,9 @@ void ExplicitFem::stiffness(const double* x, double* y) const {
   batches_.sum_ghosts(y, mesh_.dim);
 }
 
-std::vector<Weight> ExplicitFem::points_of(const Place& place) const { return place_weights(mesh_, *shape_, place, mass_, 1e-6 * spacing_); }
+std::vector<Weight> ExplicitFem::points_of(const Place& place) const {
+  return place_weights(mesh_, *shape_, place, mass_, 1e-6 * spacing_);
+}
 
 std::vector<Weight> ExplicitFem::interpolation(const Point& p) const {
   const auto [cell, xi] = locator_.find(p);

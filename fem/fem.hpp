@@ -17,8 +17,8 @@ struct Options {
   Element element = Element::full;
   /// Cells along each axis of a box; bodies that come as a mesh ignore it.
   std::array<int, 3> divisions{0, 0, 0};
-  double hourglass = 0.05;  ///< Flanagan-Belytschko stiffness coefficient of `one_point`
-  double distortion = 0;    ///< inner vertices moved at random by up to this share of the cell (patch tests)
+  double hourglass = 0.05;     ///< Flanagan-Belytschko stiffness coefficient of `one_point`
+  double distortion = 0;       ///< inner vertices moved at random by up to this share of the cell (patch tests)
   bool scalar_kernel = false;  ///< run the kernel one cell at a time: the reference of the SIMD form (tests, bench)
 };
 

@@ -74,13 +74,6 @@ double shortest_edge(const Mesh& mesh) {
   return h;
 }
 
-double volume_of_cells(const Mesh& mesh) {
-  double v = 0;
-  for (std::size_t c = 0; c < mesh.cell_count(); ++c)
-    for (int q = 0; q < mesh.corners(); ++q) v += jacobian(mesh, c, q);
-  return v;
-}
-
 namespace {
 
 /// A straight edge or a bilinear face, its nodes lexicographic, -1 beyond them.
@@ -153,7 +146,8 @@ std::vector<Weight> normalised(const std::vector<double>& share) {
 
 }  // namespace
 
-std::vector<Weight> place_weights(const Mesh& mesh, const Shape& shape, const Place& place, std::span<const double> mass, double tolerance) {
+std::vector<Weight> place_weights(const Mesh& mesh, const Shape& shape, const Place& place, std::span<const double> mass,
+                                  double tolerance) {
   if (place.point) {
     std::size_t nearest = 0;
     for (std::size_t i = 1; i < mesh.node_count(); ++i)

@@ -21,7 +21,6 @@ double jacobian(const Mesh& mesh, std::size_t cell, int q);
 /// Row-sum lumping, m_a = integral of density N_a: exact total mass and first moment.
 std::vector<double> lumped_mass(const Mesh& mesh, double density, double thickness);
 double shortest_edge(const Mesh& mesh);
-double volume_of_cells(const Mesh& mesh);
 
 /// Nodes of a place with the share of a unit total force that a uniform traction gives each: over the facets on one side, along the
 /// edges on two sides of a solid, in equal parts on corners; the nearest node of a point; by mass over a whole body.

@@ -98,8 +98,7 @@ Locator::Locator(const Mesh& mesh) : mesh_(mesh) {
 
 std::array<int, 3> Locator::bin(const Point& p) const {
   std::array<int, 3> r{};
-  for (int d = 0; d < mesh_.dim; ++d)
-    r[d] = std::clamp(static_cast<int>(std::floor((p[d] - lower_[d]) / size_[d])), 0, count_[d] - 1);
+  for (int d = 0; d < mesh_.dim; ++d) r[d] = std::clamp(static_cast<int>(std::floor((p[d] - lower_[d]) / size_[d])), 0, count_[d] - 1);
   return r;
 }
 

@@ -23,7 +23,8 @@ class Locator {
  private:
   std::array<int, 3> bin(const Point& p) const;
   std::size_t index(int i, int j, int k) const {
-    return (static_cast<std::size_t>(k) * static_cast<std::size_t>(count_[1]) + static_cast<std::size_t>(j)) * static_cast<std::size_t>(count_[0]) +
+    return (static_cast<std::size_t>(k) * static_cast<std::size_t>(count_[1]) + static_cast<std::size_t>(j)) *
+               static_cast<std::size_t>(count_[0]) +
            static_cast<std::size_t>(i);
   }
   const Mesh& mesh_;

@@ -1,5 +1,5 @@
-#include "fem/cell_loop_impl.hpp"
 #include "fem/assumed_strain.hpp"
+#include "fem/cell_loop_impl.hpp"
 
 namespace femsph::fem {
 

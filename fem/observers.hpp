@@ -39,7 +39,8 @@ struct SampleObserver {
   }
   void hourglass(double) {}
 
-  void point(int q, double volume, const SmallStrain::Frame<double, dim>&, const Symmetric<double, dim>& e, const Symmetric<double, dim>& s) {
+  void point(int q, double volume, const SmallStrain::Frame<double, dim>&, const Symmetric<double, dim>& e,
+             const Symmetric<double, dim>& s) {
     give(q, volume, axes, e, s);
   }
   /// Cauchy stress of the Biot stress T: F = R U, P = R T, sigma = P F^T / det F = R (T U) R^T / det F, symmetrised.

@@ -1,11 +1,11 @@
 // The full element again, by deal.II's FEValues and cell by cell. It shares the mesh with the fast loop, and nothing of its force.
 
+#include <deal.II/base/quadrature_lib.h>
+#include <deal.II/dofs/dof_handler.h>
 #include <deal.II/fe/fe_q.h>
 #include <deal.II/fe/fe_system.h>
 #include <deal.II/fe/fe_values.h>
-#include <deal.II/dofs/dof_handler.h>
 #include <deal.II/grid/tria.h>
-#include <deal.II/base/quadrature_lib.h>
 
 #include <algorithm>
 #include <stdexcept>

@@ -46,9 +46,8 @@ class StaticSolver {
     support_points_.resize(dofs_.n_dofs());
     dealii::DoFTools::map_dofs_to_support_points(dealii::MappingQ1<dim>(), dofs_, support_points_);
     component_.resize(dofs_.n_dofs());
-    const auto locals = std::vector<dealii::types::global_dof_index>(fe_.n_dofs_per_cell());
+    std::vector<dealii::types::global_dof_index> global(fe_.n_dofs_per_cell());
     for (const auto& cell : dofs_.active_cell_iterators()) {
-      auto global = locals;
       cell->get_dof_indices(global);
       for (unsigned int i = 0; i < global.size(); ++i) component_[global[i]] = fe_.system_to_component_index(i).first;
     }
@@ -180,11 +179,14 @@ class StaticSolver {
         const unsigned int v0 = dealii::GeometryInfo<dim>::line_to_cell_vertices(line, 0);
         const unsigned int v1 = dealii::GeometryInfo<dim>::line_to_cell_vertices(line, 1);
         if (!on(place, cell->vertex(v0)) || !on(place, cell->vertex(v1))) continue;
-        if (!done.insert({std::min(cell->vertex_index(v0), cell->vertex_index(v1)), std::max(cell->vertex_index(v0), cell->vertex_index(v1))}).second)
+        if (!done.insert(
+                     {std::min(cell->vertex_index(v0), cell->vertex_index(v1)), std::max(cell->vertex_index(v0), cell->vertex_index(v1))})
+                 .second)
           continue;
         const auto a = dealii::GeometryInfo<dim>::unit_cell_vertex(v0), b = dealii::GeometryInfo<dim>::unit_cell_vertex(v1);
         for (unsigned int q = 0; q < rule.size(); ++q)
-          add_point(cell, dealii::Point<dim>(a + rule.point(q)[0] * (b - a)), rule.weight(q) * cell->vertex(v0).distance(cell->vertex(v1)), share);
+          add_point(cell, dealii::Point<dim>(a + rule.point(q)[0] * (b - a)), rule.weight(q) * cell->vertex(v0).distance(cell->vertex(v1)),
+                    share);
       }
   }
 
@@ -224,9 +226,9 @@ class StaticSolver {
       if (!constraints_.is_constrained(i)) load_[i] += force[i];
   }
 
-  /// Direct in 2D; in 3D the fill is too much.
+  /// Direct in 2D and for small solids; beyond that the fill is too much.
   void solve_system() {
-    if constexpr (dim == 2) {
+    if (dim == 2 || dofs_.n_dofs() < 40000) {
       dealii::SparseDirectUMFPACK direct;
       direct.initialize(matrix_);
       direct.vmult(solution_, load_);
@@ -297,7 +299,8 @@ class StaticSolver {
 }  // namespace
 
 StaticLimit static_limit(const Scene& scene, const std::array<int, 3>& divisions, int degree) {
-  if (scene.bodies.size() != 1) throw std::runtime_error("the static limit wants one body, and the scene has " + std::to_string(scene.bodies.size()));
+  if (scene.bodies.size() != 1)
+    throw std::runtime_error("the static limit wants one body, and the scene has " + std::to_string(scene.bodies.size()));
   if (degree < 1) throw std::runtime_error("the static limit wants a polynomial degree of at least 1");
   return scene.dim() == 2 ? StaticSolver<2>(scene, divisions, degree).solve() : StaticSolver<3>(scene, divisions, degree).solve();
 }

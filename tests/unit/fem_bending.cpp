@@ -1,7 +1,7 @@
-// The cantilever of the paper, 1000 x 100 (x 100) mm, E 210 GPa, nu 0.3, clamped at x-, 25 kN down at the corner of its free end, plane stress.
-// Beam theory: Euler-Bernoulli P L^3 / (3 E I) = 4.7619 mm. Clamped plane-stress elasticity, converged: 4.7902 mm with the load at the corner,
-// 4.7905 mm with the same load spread over the end (static_limit, degree 2 .. 6 on 50 x 5 .. 200 x 20: 4.7891 .. 4.79017 from below;
-// the corners of the clamp are singular, so the last digit comes slowly).
+// The cantilever of the paper, 1000 x 100 (x 100) mm, E 210 GPa, nu 0.3, clamped at x-, 25 kN down at the corner of its free end, plane
+// stress. Beam theory: Euler-Bernoulli P L^3 / (3 E I) = 4.7619 mm. Clamped plane-stress elasticity, converged: 4.7902 mm with the load at
+// the corner, 4.7905 mm with the same load spread over the end (static_limit, degree 2 .. 6 on 50 x 5 .. 200 x 20: 4.7891 .. 4.79017 from
+// below; the corners of the clamp are singular, so the last digit comes slowly).
 
 #include <gtest/gtest.h>
 
@@ -25,11 +25,12 @@ struct Row {
   std::array<int, 3> divisions;
   double full;  ///< mm: fully integrated Q1, independently computed; reproduced by the paper's 100 x 10 (4.765 mm)
 };
-const Row table[] = {{{20, 2, 0}, 4.263}, {{40, 4, 0}, 4.643}, {{50, 5, 0}, 4.695}, {{100, 10, 0}, 4.765},
+const Row table[] = {{{20, 2, 0}, 4.263},   {{40, 4, 0}, 4.643},  {{50, 5, 0}, 4.695}, {{100, 10, 0}, 4.765},
                      {{200, 20, 0}, 4.784}, {{10, 10, 0}, 3.442}, {{20, 10, 0}, 4.355}};
 
 TEST(FemCantilever, FullElementGivesTheKnownTips) {
-  for (const Row& row : table) EXPECT_NEAR(1e3 * tip(Element::full, row.divisions), row.full, 6e-4) << row.divisions[0] << " x " << row.divisions[1];
+  for (const Row& row : table)
+    EXPECT_NEAR(1e3 * tip(Element::full, row.divisions), row.full, 6e-4) << row.divisions[0] << " x " << row.divisions[1];
 }
 
 TEST(FemCantilever, AssumedStrainIsWithinOnePercentOnEveryMesh) {
@@ -60,7 +61,8 @@ TEST(FemCantilever, StaticLimitIsClampedElasticity) {
 }
 
 TEST(FemCantilever, StaticLimitSeesTheBendingStress) {
-  // Mid-span, far from both ends: sigma = M y / I with M = P L / 2, y = 25 mm: 25e3 * 0.5 * 0.025 / (0.1^4 / 12) = 37.5 MPa; strain = sigma / E.
+  // Mid-span, far from both ends: sigma = M y / I with M = P L / 2, y = 25 mm: 25e3 * 0.5 * 0.025 / (0.1^4 / 12) = 37.5 MPa; strain = sigma
+  // / E.
   Scene scene = cantilever();
   scene.sections.push_back({"mid", 0, Quantity::stress, {0.5, 0.0, 0}, {0.5, 0.1, 0}, 5});
   scene.probes.push_back({"strain", 0, Quantity::strain, {0.5, 0.075, 0}});

@@ -1,6 +1,7 @@
 // Nearly incompressible bodies, and elements whose cells are not in line with the axes.
 // Cook's membrane (48 wide, 44 high at the clamp, 16 at the free end, raised by 44): converged corner displacement
-//   plane stress, E 1, nu 1/3, F 1: 25.18 with full Q1 n = 8/16/32/64 at 22.67/24.27/24.84/25.04; plane strain, E 240.565, nu 0.4999, F 100: 8.066.
+//   plane stress, E 1, nu 1/3, F 1: 25.18 with full Q1 n = 8/16/32/64 at 22.67/24.27/24.84/25.04; plane strain, E 240.565, nu 0.4999, F
+//   100: 8.066.
 
 #include <gtest/gtest.h>
 
@@ -67,7 +68,8 @@ TEST(FemAxes, AnElementInItsOwnAxesDoesNotSeeHowTheBodyLies) {
     double tips[2];
     for (const bool turn : {false, true}) {
       const auto at = [&](double x, double y) { return turn ? turned(x, y) : Point{x, y, 0}; };
-      Scene scene = scene_of(std::make_shared<MeshShape>(mapped(20, 2, {at(0, 0), at(1, 0), at(0, 0.1), at(1, 0.1)}), "bar"), Plane::stress, 210e9, 0.3, 0.1);
+      Scene scene = scene_of(std::make_shared<MeshShape>(mapped(20, 2, {at(0, 0), at(1, 0), at(0, 0.1), at(1, 0.1)}), "bar"), Plane::stress,
+                             210e9, 0.3, 0.1);
       for (const double y : {0.0, 0.05, 0.1}) scene.supports.push_back({Place{0, {}, at(0, y), {}}, {true, true, true}});
       const Point down = at(0, -25e3);
       scene.loads.push_back({Place{0, {}, at(1, 0.1), {}}, down, {}});
@@ -117,7 +119,8 @@ TEST(FemAxes, EnergyOfHexahedraTurnsWithThem) {
         Point x = d->position(i);
         if (turn)
           for (std::size_t k = 0; k < mesh.vertices.size(); ++k)
-            if (std::hypot(turned_mesh.vertices[k][0] - x[0], turned_mesh.vertices[k][1] - x[1], turned_mesh.vertices[k][2] - x[2]) < 1e-9) {
+            if (std::hypot(turned_mesh.vertices[k][0] - x[0], turned_mesh.vertices[k][1] - x[1], turned_mesh.vertices[k][2] - x[2]) <
+                1e-9) {
               x = mesh.vertices[k];
               break;
             }

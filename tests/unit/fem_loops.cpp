@@ -54,7 +54,8 @@ TEST_P(Dimension, OneCellAtATimeEqualsEight) {
 
 TEST_P(Dimension, ThreadsDoNotChangeABit) {
   fem::Options options;
-  options.divisions = GetParam() == 2 ? std::array<int, 3>{200, 110, 0} : std::array<int, 3>{30, 29, 25};  // more than 2048 batches, several domains
+  options.divisions =
+      GetParam() == 2 ? std::array<int, 3>{200, 110, 0} : std::array<int, 3>{30, 29, 25};  // more than 2048 batches, several domains
   options.distortion = 0.1;
   const auto d = fem::discretize(block(GetParam()), 0, options);
   const auto u = random_field(*d, 1e-3);
@@ -65,7 +66,8 @@ TEST_P(Dimension, ThreadsDoNotChangeABit) {
   EXPECT_EQ(force(*d, u), one);
   EXPECT_EQ(d->strain_energy(u.data()), energy);
   set_threads(1);
-  for (std::size_t i = d->layout().points * static_cast<std::size_t>(d->layout().dim); i < one.size(); ++i) ASSERT_EQ(one[i], 0.0);  // padding
+  for (std::size_t i = d->layout().points * static_cast<std::size_t>(d->layout().dim); i < one.size(); ++i)
+    ASSERT_EQ(one[i], 0.0);  // padding
 }
 
 INSTANTIATE_TEST_SUITE_P(Fem, Dimension, testing::Values(2, 3));

@@ -15,7 +15,8 @@ std::unique_ptr<Discretization> block(int dim, std::array<int, 3> divisions, dou
   options.element = element;
   options.divisions = divisions;
   options.distortion = distortion;
-  return fem::discretize(box_scene(dim == 3 ? Plane::none : Plane::stress, {1.2, 0.8, dim == 3 ? 0.5 : 0.0}, 210e9, 0.3, dim == 3 ? 1.0 : 0.25), 0, options);
+  return fem::discretize(
+      box_scene(dim == 3 ? Plane::none : Plane::stress, {1.2, 0.8, dim == 3 ? 0.5 : 0.0}, 210e9, 0.3, dim == 3 ? 1.0 : 0.25), 0, options);
 }
 
 double weight_sum(const std::vector<Weight>& weights) {
@@ -108,7 +109,8 @@ TEST(FemInterpolation, ReproducesLinearFieldsAndNeverExtrapolates) {
       EXPECT_NEAR(weight_sum(d->interpolation(p)), 1, 1e-13);
       EXPECT_NEAR(value_at(*d, u, p, 0), linear(p)[0], 1e-12);
     }
-    for (const Point& p : {Point{0, 0, 0}, Point{1.2, 0.8, dim == 3 ? 0.5 : 0.0}, Point{1.2, 0.3, 0}}) EXPECT_NEAR(value_at(*d, u, p, 0), linear(p)[0], 1e-12);
+    for (const Point& p : {Point{0, 0, 0}, Point{1.2, 0.8, dim == 3 ? 0.5 : 0.0}, Point{1.2, 0.3, 0}})
+      EXPECT_NEAR(value_at(*d, u, p, 0), linear(p)[0], 1e-12);
     EXPECT_THROW(d->interpolation({1.21, 0.4, 0}), std::runtime_error);
     EXPECT_THROW(d->interpolation({0.3, -0.01, 0}), std::runtime_error);
   }
