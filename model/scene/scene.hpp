@@ -11,14 +11,10 @@
 #include <vector>
 
 #include "model/material/law.hpp"
+#include "model/scene/faults.hpp"
 #include "model/scene/shape.hpp"
 
 namespace femsph {
-
-/// Where in the file something was written (1-based); line 0: not from a file.
-struct Source {
-  int line = 0, column = 0;
-};
 
 struct Material {
   std::string name;

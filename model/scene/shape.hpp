@@ -8,16 +8,17 @@
 #include <vector>
 
 #include "model/numerics/tensor.hpp"
+#include "model/scene/box_grid.hpp"
 
 namespace femsph {
 
 /// Quadrilaterals or hexahedra with named boundary parts: a body that comes with its own cells.
 struct CellMesh {
   int dim = 2;
-  std::vector<Point> vertices;                 ///< m
-  std::vector<std::array<int, 8>> cells;       ///< 4 or 8 vertices, lexicographic: x fastest, then y, then z
+  std::vector<Point> vertices;            ///< m
+  std::vector<std::array<int, 8>> cells;  ///< 4 or 8 vertices, lexicographic: x fastest, then y, then z
   struct Facet {
-    std::array<int, 4> vertices;  ///< 2 or 4
+    std::array<int, 4> vertices;  ///< 2, or 4 in lexicographic order
     int group;                    ///< index into groups, -1: unnamed
   };
   std::vector<Facet> facets;        ///< boundary facets that the file names
@@ -34,7 +35,7 @@ class Shape {
   virtual bool contains(const Point& p, double tolerance) const = 0;
   /// Names of the boundary's parts. Every shape has the sides of its bounding box: x- x+ y- y+ (z- z+).
   virtual std::vector<std::string> sides() const;
-  /// p lies on that side, up to `tolerance` (m).
+  /// p lies on that side, up to `tolerance` (m). The side is one of sides().
   virtual bool on_side(const std::string& side, const Point& p, double tolerance) const;
   /// Area (volume in 3D) of the shape, m^2 (m^3).
   virtual double measure() const = 0;
@@ -64,7 +65,8 @@ class Box final : public Shape {
 /// A body whose cells were made by Gmsh.
 class MeshShape final : public Shape {
  public:
-  explicit MeshShape(CellMesh mesh, std::string file);
+  /// `file` is for describe() only.
+  MeshShape(CellMesh mesh, std::string file);
   int dim() const override { return mesh_.dim; }
   Point lower() const override { return lower_; }
   Point upper() const override { return upper_; }
@@ -79,6 +81,7 @@ class MeshShape final : public Shape {
   CellMesh mesh_;
   std::string file_;
   Point lower_, upper_;
+  BoxGrid cell_grid_, facet_grid_;
 };
 
 /// Reads a .msh file (quadrilaterals in 2D, hexahedra in 3D; lengths multiplied by `unit`).

@@ -1,0 +1,57 @@
+#pragma once
+// What is wrong with an input file, collected so that the user sees all of it at once.
+
+#include <stdexcept>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace femsph {
+
+/// Where in the file something was written (1-based); line 0: not from a file.
+struct Source {
+  int line = 0, column = 0;
+};
+
+/// One fault of an input file; `text` is "what is wrong; what was expected; did you mean".
+struct Fault {
+  int line, column;
+  std::string text;
+};
+
+/// All faults of a file, in the order of their lines; what() is the whole message, one line per fault:
+/// "file:line:column: what is wrong; what was expected; did you mean" (without line and column for the file as a whole).
+class InputError : public std::runtime_error {
+ public:
+  InputError(const std::string& file, std::vector<Fault> faults);
+  const std::vector<Fault>& faults() const { return faults_; }
+
+ private:
+  std::vector<Fault> faults_;
+};
+
+/// The list that grows while a file is read.
+class Faults {
+ public:
+  void add(Source at, std::string text) { list_.push_back({at.line, at.column, std::move(text)}); }
+  bool empty() const { return list_.empty(); }
+  /// Throws InputError if anything was added.
+  void raise(const std::string& file) const {
+    if (!list_.empty()) throw InputError(file, list_);
+  }
+
+ private:
+  std::vector<Fault> list_;
+};
+
+/// `text` in double quotes for a message: control characters escaped and long texts cut, so that a fault stays one line.
+std::string in_quotes(std::string_view text);
+
+/// "a", "b" or "c" (quoted), for messages.
+std::string one_of(const std::vector<std::string>& names);
+
+/// "; did you mean "x"?" for the name closest to `word`, empty when none is close.
+/// Close: at most a third of its letters (and at least one) inserted, removed, replaced or swapped with a neighbour.
+std::string did_you_mean(std::string_view word, const std::vector<std::string>& names);
+
+}  // namespace femsph

@@ -1,0 +1,81 @@
+// A body whose cells were made by Gmsh, as a shape: which points it holds, and which lie on its named sides.
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "model/scene/multilinear.hpp"
+#include "model/scene/shape.hpp"
+
+namespace femsph {
+namespace {
+
+template <std::size_t n>
+Patch patch_of(const CellMesh& mesh, const std::array<int, n>& vertices, int k) {
+  Patch patch{k, {}};
+  for (int v = 0; v < patch.corner_count(); ++v) patch.corners[v] = mesh.vertices[vertices[v]];
+  return patch;
+}
+
+Patch cell_patch(const CellMesh& mesh, int cell) { return patch_of(mesh, mesh.cells[cell], mesh.dim); }
+Patch facet_patch(const CellMesh& mesh, int facet) { return patch_of(mesh, mesh.facets[facet].vertices, mesh.dim - 1); }
+
+// A multilinear patch lies in the convex hull of its corners, so in their bounding box.
+BoxGrid::Box bounding_box(const Patch& patch) {
+  BoxGrid::Box box{patch.corners[0], patch.corners[0]};
+  for (int v = 1; v < patch.corner_count(); ++v)
+    for (int c = 0; c < 3; ++c) {
+      box.lower[c] = std::min(box.lower[c], patch.corners[v][c]);
+      box.upper[c] = std::max(box.upper[c], patch.corners[v][c]);
+    }
+  return box;
+}
+
+}  // namespace
+
+MeshShape::MeshShape(CellMesh mesh, std::string file) : mesh_(std::move(mesh)), file_(std::move(file)) {
+  lower_ = upper_ = mesh_.vertices.at(0);
+  for (const Point& p : mesh_.vertices)
+    for (int c = 0; c < 3; ++c) {
+      lower_[c] = std::min(lower_[c], p[c]);
+      upper_[c] = std::max(upper_[c], p[c]);
+    }
+  std::vector<BoxGrid::Box> boxes;
+  for (std::size_t i = 0; i < mesh_.cells.size(); ++i) boxes.push_back(bounding_box(cell_patch(mesh_, int(i))));
+  cell_grid_ = BoxGrid(boxes);
+  boxes.clear();
+  for (std::size_t i = 0; i < mesh_.facets.size(); ++i) boxes.push_back(bounding_box(facet_patch(mesh_, int(i))));
+  facet_grid_ = BoxGrid(boxes);
+}
+
+bool MeshShape::contains(const Point& p, double tolerance) const {
+  for (int c = 0; c < mesh_.dim; ++c)
+    if (!(p[c] >= lower_[c] - tolerance && p[c] <= upper_[c] + tolerance)) return false;
+  return cell_grid_.any_near(p, tolerance, [&](int cell) { return distance(cell_patch(mesh_, cell), p) <= tolerance; });
+}
+
+std::vector<std::string> MeshShape::sides() const {
+  std::vector<std::string> all = Shape::sides();
+  all.insert(all.end(), mesh_.groups.begin(), mesh_.groups.end());
+  return all;
+}
+
+bool MeshShape::on_side(const std::string& side, const Point& p, double tolerance) const {
+  const auto found = std::find(mesh_.groups.begin(), mesh_.groups.end(), side);
+  if (found == mesh_.groups.end()) return Shape::on_side(side, p, tolerance);
+  const int group = int(found - mesh_.groups.begin());
+  return facet_grid_.any_near(
+      p, tolerance, [&](int facet) { return mesh_.facets[facet].group == group && distance(facet_patch(mesh_, facet), p) <= tolerance; });
+}
+
+double MeshShape::measure() const {
+  double sum = 0;
+  for (std::size_t i = 0; i < mesh_.cells.size(); ++i) sum += femsph::measure(cell_patch(mesh_, int(i)));
+  return sum;
+}
+
+std::string MeshShape::describe() const {
+  return fmt::format("mesh {} of {} {}", file_, mesh_.cells.size(), mesh_.dim == 2 ? "quadrilaterals" : "hexahedra");
+}
+
+}  // namespace femsph

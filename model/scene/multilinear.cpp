@@ -1,0 +1,116 @@
+#include "model/scene/multilinear.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace femsph {
+namespace {
+
+double dot(const Point& a, const Point& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
+Point minus(const Point& a, const Point& b) { return {a[0] - b[0], a[1] - b[1], a[2] - b[2]}; }
+
+// Solves the k x k system A x = b of the normal equations, scaled to a unit diagonal, by elimination: A is positive
+// definite unless the patch is degenerate, and then the pivot is left out.
+std::array<double, 3> solve(std::array<std::array<double, 3>, 3> A, std::array<double, 3> b, int k) {
+  for (int i = 0; i < k; ++i)
+    for (int j = i + 1; j < k; ++j) {
+      const double factor = A[i][i] > 1e-12 ? A[j][i] / A[i][i] : 0.0;
+      for (int c = i; c < k; ++c) A[j][c] -= factor * A[i][c];
+      b[j] -= factor * b[i];
+    }
+  std::array<double, 3> x{};
+  for (int i = k - 1; i >= 0; --i) {
+    double rest = b[i];
+    for (int c = i + 1; c < k; ++c) rest -= A[i][c] * x[c];
+    x[i] = A[i][i] > 1e-12 ? rest / A[i][i] : 0.0;
+  }
+  return x;
+}
+
+// One step of Gauss-Newton for min |x(xi) - p|^2.
+std::array<double, 3> step(const Patch& patch, const std::array<double, 3>& xi, const Point& p) {
+  const Point residual = minus(p, patch.at(xi));
+  std::array<Point, 3> unit{};
+  std::array<double, 3> length{};
+  for (int i = 0; i < patch.k; ++i) {
+    unit[i] = patch.tangent(xi, i);
+    length[i] = std::sqrt(dot(unit[i], unit[i]));
+    for (double& c : unit[i]) c = length[i] > 0 ? c / length[i] : 0.0;
+  }
+  std::array<std::array<double, 3>, 3> A{};
+  std::array<double, 3> b{};
+  for (int i = 0; i < patch.k; ++i) {
+    b[i] = dot(unit[i], residual);
+    for (int j = 0; j < patch.k; ++j) A[i][j] = dot(unit[i], unit[j]);
+  }
+  auto dxi = solve(A, b, patch.k);
+  for (int i = 0; i < patch.k; ++i) dxi[i] = length[i] > 0 ? dxi[i] / length[i] : 0.0;
+  return dxi;
+}
+
+double determinant(const Patch& patch, const std::array<double, 3>& xi) {
+  const Point a = patch.tangent(xi, 0), b = patch.tangent(xi, 1);
+  if (patch.k == 2) return a[0] * b[1] - a[1] * b[0];
+  const Point c = patch.tangent(xi, 2);
+  return a[0] * (b[1] * c[2] - b[2] * c[1]) + a[1] * (b[2] * c[0] - b[0] * c[2]) + a[2] * (b[0] * c[1] - b[1] * c[0]);
+}
+
+}  // namespace
+
+Point Patch::at(const std::array<double, 3>& xi) const {
+  Point x{};
+  for (int v = 0; v < corner_count(); ++v) {
+    double shape = 1;
+    for (int i = 0; i < k; ++i) shape *= (v >> i & 1) ? xi[i] : 1 - xi[i];
+    for (int c = 0; c < 3; ++c) x[c] += shape * corners[v][c];
+  }
+  return x;
+}
+
+Point Patch::tangent(const std::array<double, 3>& xi, int direction) const {
+  Point x{};
+  for (int v = 0; v < corner_count(); ++v) {
+    double shape = (v >> direction & 1) ? 1 : -1;
+    for (int i = 0; i < k; ++i)
+      if (i != direction) shape *= (v >> i & 1) ? xi[i] : 1 - xi[i];
+    for (int c = 0; c < 3; ++c) x[c] += shape * corners[v][c];
+  }
+  return x;
+}
+
+double distance(const Patch& patch, const Point& p) {
+  constexpr int most_steps = 30;
+  constexpr double settled = 1e-13;  // of the reference cell
+  std::array<double, 3> xi{0.5, 0.5, 0.5};
+  for (int i = 0; i < most_steps; ++i) {
+    const auto dxi = step(patch, xi, p);
+    double change = 0;
+    for (int c = 0; c < patch.k; ++c) {
+      const double next = std::clamp(xi[c] + dxi[c], -0.25, 1.25);  // a wider excursion may reach where the map folds
+      change = std::max(change, std::abs(next - xi[c]));
+      xi[c] = next;
+    }
+    if (change < settled) break;
+  }
+  for (double& c : xi) c = std::clamp(c, 0.0, 1.0);
+  const Point r = minus(p, patch.at(xi));
+  return std::sqrt(dot(r, r));
+}
+
+double smallest_corner_jacobian(const Patch& patch) {
+  double smallest = determinant(patch, {0, 0, 0});
+  for (int v = 1; v < patch.corner_count(); ++v)
+    smallest = std::min(smallest, determinant(patch, {double(v & 1), double(v >> 1 & 1), double(v >> 2 & 1)}));
+  return smallest;
+}
+
+double measure(const Patch& patch) {
+  // Gauss points of order 2 a direction integrate the determinant of a trilinear map exactly (degree 2 in each variable).
+  const double g[2] = {0.5 - 0.5 / std::sqrt(3.0), 0.5 + 0.5 / std::sqrt(3.0)};
+  double sum = 0;
+  for (int v = 0; v < patch.corner_count(); ++v) sum += determinant(patch, {g[v & 1], g[v >> 1 & 1], g[v >> 2 & 1]});
+  return sum / patch.corner_count();
+}
+
+}  // namespace femsph

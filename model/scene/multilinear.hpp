@@ -1,0 +1,29 @@
+#pragma once
+// Multilinear patches in space: the segment, the bilinear quadrilateral and the trilinear hexahedron, by their corners.
+
+#include <array>
+
+#include "model/numerics/tensor.hpp"
+
+namespace femsph {
+
+/// Corners in lexicographic order: 2 (k = 1), 4 (k = 2) or 8 (k = 3).
+struct Patch {
+  int k;
+  std::array<Point, 8> corners;
+
+  int corner_count() const { return 1 << k; }
+  Point at(const std::array<double, 3>& xi) const;                      ///< xi in [0, 1]^k
+  Point tangent(const std::array<double, 3>& xi, int direction) const;  ///< derivative along xi[direction]
+};
+
+/// Distance of p from a point of the patch: to rounding the smallest one if p is near the patch, at least the smallest one elsewhere.
+double distance(const Patch& patch, const Point& p);
+
+/// The smallest determinant of dx/dxi over the corners of a cell in `dim` dimensions (k = dim), m^dim.
+double smallest_corner_jacobian(const Patch& patch);
+
+/// Area or volume of a cell (k = dim), m^dim.
+double measure(const Patch& patch);
+
+}  // namespace femsph

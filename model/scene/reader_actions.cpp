@@ -1,0 +1,141 @@
+// What acts on the bodies of a scene: supports, loads, initial velocities, gravity, damping, settling.
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "model/scene/scene_reader.hpp"
+
+namespace femsph::scene_reader {
+namespace {
+
+std::optional<std::array<bool, 3>> read_fixed(Fields& fields, int dim) {
+  const std::vector<std::string> all = {"x", "y", "z"};
+  const std::vector<std::string> known(all.begin(), all.begin() + (dim == 2 ? 2 : 3));
+  const std::string expected = "a list of components such as [\"x\", \"y\"]";
+  const auto components = fields.texts("fix", Need::required, expected);
+  if (!components) return {};
+  std::array<bool, 3> fixed{};
+  for (const std::string& component : *components) {
+    const auto found = std::find(known.begin(), known.end(), component);
+    if (found == known.end())
+      return fields.fault("fix", fmt::format("unknown component {}; expected {}{}", in_quotes(component), one_of(known),
+                                             component == "z" ? " in a plane scene" : did_you_mean(component, known))),
+             std::nullopt;
+    bool& is_fixed = fixed[found - known.begin()];
+    if (is_fixed)
+      return fields.fault("fix", fmt::format("component {} is given twice; expected it once", in_quotes(component))), std::nullopt;
+    is_fixed = true;
+  }
+  if (components->empty()) return fields.fault("fix", "\"fix\" is empty; expected " + expected), std::nullopt;
+  return fixed;
+}
+
+std::optional<TimeHistory> read_ramp(Fields& history) {
+  const auto ramp = history.quantity("ramp", Need::required, dimension::time, Sign::positive);
+  return ramp ? std::optional(TimeHistory{{0, *ramp}, {0, 1}}) : std::nullopt;
+}
+
+std::optional<TimeHistory> read_points(Fields& history) {
+  const auto time = history.quantities("time", Need::required, dimension::time, Sign::not_negative);
+  const auto factor = history.numbers("factor", Need::required);
+  if (!time || !factor) return {};
+  if (time->empty()) return history.fault("time", "\"time\" is empty; expected at least one time"), std::nullopt;
+  if (std::adjacent_find(time->begin(), time->end(), std::greater_equal<>()) != time->end())
+    return history.fault("time", "the times do not increase; expected each time later than the one before"), std::nullopt;
+  if (time->size() != factor->size())
+    return history.fault("factor", fmt::format("{} factors for {} times; expected as many factors as times", factor->size(), time->size())),
+           std::nullopt;
+  return TimeHistory{*time, *factor};
+}
+
+std::optional<TimeHistory> read_history(Fields& load) {
+  const std::string expected = "\"step\", {ramp = \"10 ms\"} or {time = [..], factor = [..]}";
+  if (!load.holds_table("history")) {
+    const auto word = load.text("history", Need::optional, expected);
+    if (word && *word != "step")
+      load.fault("history", fmt::format("\"history\" is {}; expected {}{}", in_quotes(*word), expected, did_you_mean(*word, {"step"})));
+    return TimeHistory{};
+  }
+  auto history = load.table("history", Need::optional, expected);
+  const bool points = history->has("time") || history->has("factor");
+  const auto read = points ? read_points(*history) : read_ramp(*history);
+  history->done();
+  return read;
+}
+
+bool is_zero(const Point& p) { return p[0] == 0 && p[1] == 0 && p[2] == 0; }
+
+bool something_moves(const Scene& scene) {
+  return (scene.gravity && !is_zero(*scene.gravity)) ||
+         std::any_of(scene.loads.begin(), scene.loads.end(), [](const Load& load) { return !is_zero(load.force); }) ||
+         std::any_of(scene.initial_velocities.begin(), scene.initial_velocities.end(), [](const auto& v) { return !is_zero(v.velocity); });
+}
+
+}  // namespace
+
+void read_supports(Fields& root, Reading& reading) {
+  for (Fields& fields : root.tables("supports")) {
+    const auto place = read_place(fields, reading);
+    const auto fixed = read_fixed(fields, reading.dim);
+    fields.done();
+    if (place && fixed) reading.scene.supports.push_back({*place, *fixed});
+  }
+}
+
+void read_loads(Fields& root, Reading& reading) {
+  for (Fields& fields : root.tables("loads")) {
+    const auto place = read_place(fields, reading);
+    const auto force = fields.vector("force", Need::required, dimension::force, reading.dim);
+    const auto history = read_history(fields);
+    fields.done();
+    if (place && force && history) reading.scene.loads.push_back({*place, *force, *history});
+  }
+}
+
+void read_initial_velocities(Fields& root, Reading& reading) {
+  for (Fields& fields : root.tables("initial")) {
+    const auto body = read_body_of(fields, reading);
+    const auto velocity = fields.vector("velocity", Need::required, dimension::velocity, reading.dim);
+    fields.done();
+    if (body && velocity) reading.scene.initial_velocities.push_back({*body, *velocity});
+  }
+}
+
+void read_gravity(Fields& root, Reading& reading) {
+  auto gravity = root.table("gravity", Need::optional, "a table with acceleration = [\"0 m/s^2\", \"-9.81 m/s^2\"] or the like");
+  if (!gravity) return;
+  reading.scene.gravity = gravity->vector("acceleration", Need::required, dimension::acceleration, reading.dim);
+  gravity->done();
+}
+
+void read_damping(Fields& root, Reading& reading) {
+  auto damping = root.table("damping", Need::optional, "a table with rate = \"100 1/s\" or the like");
+  if (!damping) return;
+  reading.scene.damping = damping->quantity("rate", Need::required, dimension::rate, Sign::positive);
+  damping->done();
+}
+
+void read_settling(Fields& root, Reading& reading) {
+  auto fields = root.table("settling", Need::optional, "a table with method = \"damping\" or \"kinetic\"");
+  if (!fields) return;
+  Settling settling;
+  const auto method = fields->choice<SettlingMethod>("method", Need::required,
+                                                     {{"damping", SettlingMethod::damping}, {"kinetic", SettlingMethod::kinetic}});
+  settling.method = method.value_or(SettlingMethod::damping);
+  const std::string share = "a number above 0 and below 1";
+  settling.tolerance = fields->number("tolerance", Need::optional, share).value_or(settling.tolerance);
+  if (!(settling.tolerance > 0 && settling.tolerance < 1))
+    fields->fault("tolerance", fmt::format("\"tolerance\" is {}; expected {}", settling.tolerance, share));
+  settling.rate = fields->quantity("rate", Need::optional, dimension::rate, Sign::positive);
+  if (fields->has("rate") && method == SettlingMethod::kinetic)
+    fields->fault("rate", "\"rate\" with method = \"kinetic\", which damps nothing; expected it only with method = \"damping\"");
+  fields->done();
+  const bool faulty_elsewhere = !reading.faults.empty() && (root.has("loads") || root.has("initial") || root.has("gravity"));
+  if (!something_moves(reading.scene) && !faulty_elsewhere)
+    root.fault("settling",
+               "nothing could move that would settle; expected [[loads]], [gravity] or [[initial]] with a value other than zero");
+  reading.scene.settling = settling;
+}
+
+}  // namespace femsph::scene_reader

@@ -1,0 +1,98 @@
+// Materials and bodies of a scene, and how other tables refer to a body.
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "model/scene/scene_reader.hpp"
+#include "model/scene/shape_reader.hpp"
+
+namespace femsph::scene_reader {
+namespace {
+
+Material read_material(const std::string& name, Fields& fields) {
+  fields.choice<int>("law", Need::required, {{"elastic", 0}});  // so far the only one
+  const auto young = fields.quantity("young", Need::required, dimension::pressure, Sign::positive);
+  const std::string range = "a number above -1 and below 0.5 (a stable, compressible material)";
+  const auto poisson = fields.number("poisson", Need::required, range);
+  if (poisson && !(*poisson > -1 && *poisson < 0.5))
+    fields.fault("poisson", fmt::format("\"poisson\" is {}; expected {}", *poisson, range));
+  const auto density = fields.quantity("density", Need::required, dimension::density, Sign::positive);
+  fields.done();
+  return {name, young.value_or(1), poisson.value_or(0), density.value_or(1)};
+}
+
+std::vector<std::string> material_names(const Scene& scene) {
+  std::vector<std::string> names;
+  for (const auto& [name, material] : scene.materials) names.push_back(name);
+  return names;
+}
+
+std::vector<std::string> body_names(const Scene& scene) {
+  std::vector<std::string> names;
+  for (const Body& body : scene.bodies) names.push_back(body.name);
+  return names;
+}
+
+Body read_body(const std::string& name, Fields& fields, const Reading& reading) {
+  Body body{name, read_shape(fields, reading.dim, reading.folder), 1.0, ""};
+  const Need need = reading.dim == 2 ? Need::required : Need::optional;
+  body.thickness = fields.quantity("thickness", need, dimension::length, Sign::positive).value_or(1.0);
+  if (reading.dim == 3 && fields.has("thickness"))
+    fields.fault("thickness", "\"thickness\" in a three-dimensional scene; expected it only with plane = \"stress\" or \"strain\"");
+
+  const auto materials = material_names(reading.scene);
+  body.material = fields.text("material", Need::required, "the name of a material").value_or("");
+  if (!body.material.empty() && !materials.empty() && !reading.scene.materials.count(body.material))
+    fields.fault("material", fmt::format("unknown material {}; expected {}{}", in_quotes(body.material), one_of(materials),
+                                         did_you_mean(body.material, materials)));
+  // Keys of a shape that could not be told cannot be called unknown.
+  if (body.shape || !reading.dim || fields.has("shape")) fields.done();
+  return body;
+}
+
+std::string bounds(const Shape& shape) {
+  std::string text;
+  for (int i = 0; i < shape.dim(); ++i)
+    text += fmt::format("{}{} in [{:g}, {:g}] mm", i ? ", " : "", "xyz"[i], 1e3 * shape.lower()[i], 1e3 * shape.upper()[i]);
+  return text;
+}
+
+}  // namespace
+
+void read_materials(Fields& root, Reading& reading) {
+  for (auto& [name, fields] : root.named_tables("materials", Need::required, "at least one table such as [materials.steel]"))
+    reading.scene.materials[name] = read_material(name, fields);
+}
+
+void read_bodies(Fields& root, Reading& reading) {
+  for (auto& [name, fields] : root.named_tables("bodies", Need::required, "at least one table such as [bodies.beam]"))
+    reading.scene.bodies.push_back(read_body(name, fields, reading));
+}
+
+std::optional<std::size_t> read_body_of(Fields& fields, const Reading& reading) {
+  const auto names = body_names(reading.scene);
+  const auto name =
+      fields.text("body", names.size() > 1 ? Need::required : Need::optional, names.empty() ? "the name of a body" : one_of(names));
+  if (names.empty()) return {};
+  if (!name) return names.size() == 1 && !fields.has("body") ? std::optional<std::size_t>(0) : std::nullopt;
+  const auto found = std::find(names.begin(), names.end(), *name);
+  if (found != names.end()) return found - names.begin();
+  fields.fault("body", fmt::format("unknown body {}; expected {}{}", in_quotes(*name), one_of(names), did_you_mean(*name, names)));
+  return {};
+}
+
+double point_tolerance(const Shape& shape) {
+  const Point a = shape.lower(), b = shape.upper();
+  return 1e-6 * std::hypot(b[0] - a[0], b[1] - a[1], b[2] - a[2]);
+}
+
+void require_inside(const Fields& fields, const char* key, const Point& point, std::size_t body, const Reading& reading) {
+  const Body& owner = reading.scene.bodies[body];
+  if (!owner.shape || owner.shape->contains(point, point_tolerance(*owner.shape))) return;
+  fields.fault(key, fmt::format("\"{}\" lies outside body {}; expected a point of its {}: {}", key, in_quotes(owner.name),
+                                owner.shape->describe(), bounds(*owner.shape)));
+}
+
+}  // namespace femsph::scene_reader

@@ -1,0 +1,81 @@
+// Part of a body: "at" names sides of its shape, or "point" the discretization point nearest to it.
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <sstream>
+
+#include "model/scene/scene_reader.hpp"
+
+namespace femsph::scene_reader {
+namespace {
+
+const std::string whole_body = "all";
+
+bool opposite(const std::string& a, const std::string& b) { return a.size() == 2 && b.size() == 2 && a[0] == b[0] && a[1] != b[1]; }
+
+// Sides meet where a point lies on all of them. The cells of a shape that has some show whether there is one (an L-shape
+// has no corner where x+ and y+ meet); the bounding sides of a convex shape meet unless they face each other.
+bool meet(const Shape& shape, const std::vector<std::string>& sides) {
+  const CellMesh* mesh = shape.cells();
+  if (!mesh) {
+    for (const auto& a : sides)
+      for (const auto& b : sides)
+        if (opposite(a, b)) return false;
+    return true;
+  }
+  const double tolerance = point_tolerance(shape);
+  return std::any_of(mesh->vertices.begin(), mesh->vertices.end(), [&](const Point& p) {
+    return std::all_of(sides.begin(), sides.end(), [&](const std::string& side) { return shape.on_side(side, p, tolerance); });
+  });
+}
+
+std::optional<std::vector<std::string>> read_sides(const Fields& fields, const std::string& at, const Shape& shape) {
+  std::vector<std::string> sides, known = shape.sides();
+  known.push_back(whole_body);
+  std::istringstream words(at);
+  for (std::string word; words >> word; sides.push_back(word)) {
+    if (std::find(known.begin(), known.end(), word) == known.end())
+      return fields.fault("at", fmt::format("unknown side {}; expected {}{}", in_quotes(word), one_of(known), did_you_mean(word, known))),
+             std::nullopt;
+    if (std::find(sides.begin(), sides.end(), word) != sides.end())
+      return fields.fault("at", fmt::format("side {} is given twice; expected each side once", in_quotes(word))), std::nullopt;
+  }
+  if (sides.empty()) return fields.fault("at", fmt::format("\"at\" is empty; expected {}", one_of(known))), std::nullopt;
+  if (std::find(sides.begin(), sides.end(), whole_body) != sides.end()) {
+    if (sides.size() > 1)
+      return fields.fault("at", "\"all\" is given with other sides; expected \"all\" alone or sides alone"), std::nullopt;
+    return std::vector<std::string>{};
+  }
+  if (meet(shape, sides)) return sides;
+  fields.fault("at", fmt::format("the sides {} do not meet; expected sides with a common {}", in_quotes(at),
+                                 shape.dim() == 3 ? "edge or corner" : "corner"));
+  return {};
+}
+
+}  // namespace
+
+std::optional<Place> read_place(Fields& fields, const Reading& reading) {
+  const std::string expected = "at = \"x-\" (sides, or \"all\") or point = [..] (the nearest point)";
+  const auto body = read_body_of(fields, reading);
+  const bool both = fields.has("at") && fields.has("point");
+  const bool by_point = fields.has("point");
+  const auto at = fields.text("at", by_point ? Need::optional : Need::required, expected);
+  const auto point = fields.vector("point", Need::optional, dimension::length, reading.dim);
+  if (both) return fields.fault("point", "both \"at\" and \"point\" are given; expected one of them"), std::nullopt;
+  if (!body || (!at && !point)) return {};
+
+  Place place;
+  place.body = *body;
+  place.point = point;
+  place.source = fields.source(by_point ? "point" : "at");
+  const Shape* shape = reading.scene.bodies[*body].shape.get();
+  if (!shape) return place;
+  if (point) return require_inside(fields, "point", *point, *body, reading), place;
+  const auto sides = read_sides(fields, *at, *shape);
+  if (!sides) return {};
+  place.sides = *sides;
+  return place;
+}
+
+}  // namespace femsph::scene_reader

@@ -1,0 +1,45 @@
+#pragma once
+// The parts of the reader of scenes; only reader*.cpp include this.
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "model/scene/scene.hpp"
+#include "model/scene/toml_fields.hpp"
+
+namespace femsph::scene_reader {
+
+/// What the parts share while one file is read. After a fault the scene holds stand-ins (a body without a shape, a material with
+/// unit values), so that whatever refers to them by name is still checked and not reported for their sake.
+struct Reading {
+  Scene& scene;
+  Faults& faults;
+  std::filesystem::path folder;  ///< of the file: mesh paths start here
+  int dim = 0;                   ///< 0: the plane of the scene is itself at fault
+};
+
+void read_model(Fields& root, Reading& reading);
+void read_materials(Fields& root, Reading& reading);
+void read_bodies(Fields& root, Reading& reading);
+void read_supports(Fields& root, Reading& reading);
+void read_loads(Fields& root, Reading& reading);
+void read_initial_velocities(Fields& root, Reading& reading);
+void read_gravity(Fields& root, Reading& reading);
+void read_damping(Fields& root, Reading& reading);
+void read_probes(Fields& root, Reading& reading);
+void read_sections(Fields& root, Reading& reading);
+void read_time(Fields& root, Reading& reading);
+void read_settling(Fields& root, Reading& reading);
+
+/// The body that a table names; the only body if it names none.
+std::optional<std::size_t> read_body_of(Fields& fields, const Reading& reading);
+/// body, and at or point.
+std::optional<Place> read_place(Fields& fields, const Reading& reading);
+/// Adds a fault unless the point lies in the body (or the body's shape is unknown after a fault of its own).
+void require_inside(const Fields& fields, const char* key, const Point& point, std::size_t body, const Reading& reading);
+/// Points this near to a shape count as on it, m: far above rounding, far below any spacing.
+double point_tolerance(const Shape& shape);
+
+}  // namespace femsph::scene_reader
