@@ -91,7 +91,7 @@ const Theory& theory_named(const std::string& name) {
   for (const Theory& theory : theories())
     if (theory.name == name) return theory;
   throw std::runtime_error(
-      fmt::format("no theory is called {}; expected {}{}", quoted(name), one_of(theory_names()), did_you_mean(name, theory_names())));
+      fmt::format("no theory is called {}; expected {}{}", in_quotes(name), one_of(theory_names()), did_you_mean(name, theory_names())));
 }
 
 }  // namespace femsph::compare
