@@ -85,7 +85,7 @@ struct Study {
   std::vector<PaperNumber> paper;
   std::vector<SeriesSpec> series;
   std::optional<LimitSpec> limit;
-  std::vector<std::string> studies;  ///< whose rows this one collects, by name
+  std::vector<Study> collected;  ///< run too; their rows are this study's
   std::vector<Claim> claims;
 };
 
