@@ -148,14 +148,18 @@ const char* word(Holds holds) {
 
 bool RowFilter::matches(const Row& row) const {
   const auto fits = [](const std::optional<std::string>& asked, const std::string& is) { return !asked || *asked == is; };
-  return fits(study, row.study) && fits(case_name, row.case_name) && fits(method, row.method) && fits(quantity, row.quantity) &&
+  return fits(study, row.study) && fits(method, row.method) && fits(quantity, row.quantity) &&
+         (cases.empty() || std::find(cases.begin(), cases.end(), row.case_name) != cases.end()) &&
          (!spacing_mm || (row.spacing_mm && std::abs(*row.spacing_mm / *spacing_mm - 1) < 1e-6));
 }
 
 std::string RowFilter::describe() const {
   std::string text;
-  for (const auto* part : {&study, &case_name, &method, &quantity})
-    if (*part) text += (text.empty() ? "" : " ") + **part;
+  const auto add = [&](const std::string& word) { text += (text.empty() ? "" : " ") + word; };
+  if (study) add(*study);
+  for (const std::string& name : cases) add(name);
+  for (const auto* part : {&method, &quantity})
+    if (*part) add(**part);
   if (spacing_mm) text += fmt::format(" at {:g} mm", *spacing_mm);
   return text.empty() ? "any row" : text;
 }

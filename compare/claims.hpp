@@ -11,7 +11,8 @@ namespace femsph::compare {
 
 /// Rows by what they are; what is not given matches all.
 struct RowFilter {
-  std::optional<std::string> study, case_name, method, quantity;
+  std::optional<std::string> study, method, quantity;
+  std::vector<std::string> cases;  ///< any of them; empty: all
   std::optional<double> spacing_mm;
   bool matches(const Row& row) const;
   std::string describe() const;

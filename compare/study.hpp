@@ -60,10 +60,10 @@ struct PaperNumber {
 
 /// A data file for figures.
 struct SeriesSpec {
-  enum class Kind { error, history, profile } kind = Kind::error;
+  enum class Kind { error, cases, history, profile } kind = Kind::error;
   std::string file;
-  std::string quantity;                       ///< error
-  Reference reference = Reference::theory;    ///< error
+  std::string quantity;                       ///< error, cases
+  Reference reference = Reference::theory;    ///< error, cases
   Observed observed;                          ///< history, profile
   Unit time_unit{"ms", 1e-3};                 ///< history
   std::optional<std::string> theory;          ///< history, profile: a column of theory

@@ -37,24 +37,27 @@ bool could_match(RowFilter filter, const Row& planned) {
   return filter.matches(planned);
 }
 
+std::vector<std::string> known_words(std::string Row::*member, const std::vector<Row>& planned) {
+  std::vector<std::string> known;
+  for (const Row& row : planned)
+    if (std::find(known.begin(), known.end(), row.*member) == known.end()) known.push_back(row.*member);
+  return known;
+}
+
 // One word of a filter: it must be that of some row.
 std::optional<std::string> read_word(Fields& fields, const char* key, std::string Row::*member, const std::vector<Row>& planned) {
   const auto word = fields.text(key, Need::optional);
   if (!word) return {};
-  std::vector<std::string> known;
-  for (const Row& row : planned)
-    if (std::find(known.begin(), known.end(), row.*member) == known.end()) known.push_back(row.*member);
-  if (std::find(known.begin(), known.end(), *word) == known.end()) {
-    fields.fault(key, fmt::format("no run has the {} {}; expected {}{}", key, in_quotes(*word), one_of(known), did_you_mean(*word, known)));
-    return {};
-  }
-  return word;
+  const auto known = known_words(member, planned);
+  if (std::find(known.begin(), known.end(), *word) != known.end()) return word;
+  fields.fault(key, fmt::format("no run has the {} {}; expected {}{}", key, in_quotes(*word), one_of(known), did_you_mean(*word, known)));
+  return {};
 }
 
 RowFilter read_filter(Fields& fields, const std::vector<Row>& planned) {
   RowFilter filter;
   filter.study = read_word(fields, "study", &Row::study, planned);
-  filter.case_name = read_word(fields, "case", &Row::case_name, planned);
+  filter.cases = read_names(fields, "cases", known_words(&Row::case_name, planned), "case");
   filter.method = read_word(fields, "method", &Row::method, planned);
   filter.quantity = read_word(fields, "quantity", &Row::quantity, planned);
   if (const auto spacing = fields.quantity("spacing", Need::optional, dimension::length, Sign::positive)) filter.spacing_mm = 1e3 * *spacing;
@@ -67,7 +70,7 @@ void check_filter(const Fields& fields, const char* key, const RowFilter& filter
 }
 
 RowFilter read_filter_table(Fields& claim, const char* key, const std::vector<Row>& planned) {
-  auto fields = claim.table(key, Need::required, "a table such as {case = \"1_4\", quantity = \"tip_displacement\"}");
+  auto fields = claim.table(key, Need::required, "a table such as {cases = [\"1_4\"], quantity = \"tip_displacement\"}");
   if (!fields) return {};
   const RowFilter filter = read_filter(*fields, planned);
   fields->done();

@@ -101,10 +101,13 @@ Observed read_observed(Fields& fields, const std::optional<std::string>& scene, 
   return observed;
 }
 
-std::optional<std::string> read_theory(Fields& fields) {
+// The theory must be able to speak of every scene that it will be asked for: better said now than after the runs.
+std::optional<std::string> read_theory(Fields& fields, const std::optional<std::string>& scene, const Study& study) {
   const auto name = fields.text("theory", Need::optional, "the name of a theory value");
   if (!name) return {};
   try {
+    for (const auto& [file, read] : study.scenes)
+      if (!scene || *scene == file) theory_named(*name).value(read, read.bodies[0].shape->lower(), 0);
     return theory_named(*name).name;
   } catch (const std::runtime_error& e) {
     fields.fault("theory", e.what());
@@ -131,7 +134,7 @@ void one_quantity(Fields& fields, StudyReading& reading) {
   quantity.observed = read_observed(fields, quantity.scene, si, reading.study);
   if (quantity.reduce == Reduce::l2) quantity.observed.unit = {"%", 1};
   quantity.sign = fields.choice<SignRule>("sign", Need::optional, signs).value_or(SignRule::as_is);
-  quantity.theory = read_theory(fields);
+  quantity.theory = read_theory(fields, quantity.scene, reading.study);
   fields.done();
   if (quantity.observed.section.empty() == of_section(quantity.reduce))
     fields.fault("reduce", "\"reduce\" does not fit; expected fibre_upper, fibre_lower or l2 for a section, and one of the others for a probe or an energy");
@@ -157,11 +160,11 @@ void one_series(Fields& fields, StudyReading& reading) {
   const Study& study = reading.study;
   SeriesSpec series;
   series.file = read_file_name(fields);
-  series.kind = fields.choice<Kind>("kind", Need::required, {{"error", Kind::error}, {"history", Kind::history}, {"profile", Kind::profile}})
+  series.kind = fields.choice<Kind>("kind", Need::required, {{"error", Kind::error}, {"cases", Kind::cases}, {"history", Kind::history}, {"profile", Kind::profile}})
                     .value_or(Kind::error);
   series.cases = read_names(fields, "cases", case_names(study), "case");
   series.methods = read_names(fields, "methods", method_labels(study), "method");
-  if (series.kind == Kind::error) {
+  if (series.kind == Kind::error || series.kind == Kind::cases) {
     const auto known = quantity_names(study);
     series.quantity = fields.text("quantity", Need::required, one_of(known)).value_or("");
     series.reference =
@@ -171,7 +174,7 @@ void one_series(Fields& fields, StudyReading& reading) {
   } else {
     series.scene = read_scene_name(fields, study);
     series.observed = read_observed(fields, series.scene, "", study);
-    series.theory = read_theory(fields);
+    series.theory = read_theory(fields, series.scene, study);
     if (series.kind == Kind::history) series.time_unit = read_unit(fields, "time_unit", fields.text("time_unit", Need::optional).value_or("ms"), "s");
     if (series.observed.section.empty() == (series.kind == Kind::profile))
       fields.fault("kind", "\"kind\" does not fit; expected \"profile\" with a section, \"history\" with a probe or an energy");
