@@ -123,7 +123,6 @@ std::string paper_text(const Claim& claim, const std::vector<Row>& rows) {
 Verdict judge_one(const Claim& claim, const std::vector<Row>& rows) {
   Verdict verdict;
   verdict.claim = &claim;
-  verdict.note = claim.note;
   verdict.paper = paper_text(claim, rows);
   switch (claim.kind) {
     case Kind::ratio: judge_ratio(claim, rows, verdict); break;
@@ -131,6 +130,8 @@ Verdict judge_one(const Claim& claim, const std::vector<Row>& rows) {
     case Kind::finer: judge_finer(claim, rows, verdict); break;
     default: judge_rows(claim, rows, verdict);
   }
+  const bool fails = verdict.holds == Holds::no || verdict.holds == Holds::partly;
+  if (fails && !claim.note.empty()) add_note(verdict, claim.note);
   return verdict;
 }
 

@@ -42,7 +42,7 @@ struct Verdict {
   enum class Holds { yes, no, partly, unknown } holds = Holds::unknown;
   const Claim* claim = nullptr;
   std::string paper, ours;  ///< numbers with their units
-  std::string note;         ///< the claim's own, and what its evaluation met
+  std::string note;         ///< what the evaluation met, and the claim's own note if it does not hold
 };
 
 /// Answers every claim from the rows alone. `unknown` when a row is missing.

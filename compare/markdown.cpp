@@ -15,6 +15,9 @@ using Cells = std::vector<std::vector<std::string>>;
 
 std::string number(const std::optional<double>& value, int digits = 4) { return value ? rounded(*value, digits) : ""; }
 
+// Counts and spacings: no more digits than they have.
+std::string plain(const std::optional<double>& value) { return value ? fmt::format("{:.9g}", *value) : ""; }
+
 // Errors: one decimal from 10 % on, two below.
 std::string percent(const std::optional<double>& value) {
   if (!value || !std::isfinite(*value)) return "";
@@ -43,10 +46,10 @@ std::string quantity_table(const std::vector<const Row*>& rows, bool several_stu
   Cells cells = {{several_studies ? "study" : "", "case", "method", "d mm", "cells over height", "value", theory ? "" : "theory", "error %",
                   limit ? "" : "limit", "error vs limit %", "paper", "paper error %", "steps", "CPU s", "settled"}};
   for (const Row* row : rows)
-    cells.push_back({several_studies ? in_cell(row->study) : "", in_cell(row->case_name), in_cell(row->method), number(row->spacing_mm),
-                     number(row->cells_over_height, 6), number(row->value), theory ? "" : number(row->theory), percent(row->error_percent),
+    cells.push_back({several_studies ? in_cell(row->study) : "", in_cell(row->case_name), in_cell(row->method), plain(row->spacing_mm),
+                     plain(row->cells_over_height), number(row->value), theory ? "" : number(row->theory), percent(row->error_percent),
                      limit ? "" : number(row->limit), percent(row->error_vs_limit_percent), number(row->paper),
-                     percent(row->paper_error_percent), number(row->steps, 9), number(row->cpu_s, 2),
+                     percent(row->paper_error_percent), plain(row->steps), number(row->cpu_s, 2),
                      !row->settled ? "" : *row->settled ? "yes" : "no"});
   return caption + "\n\n" + markdown_table(cells);
 }
@@ -55,7 +58,7 @@ std::string order_table(const std::vector<Order>& orders) {
   Cells cells = {{"study", "method", "quantity", "reference", "d mm", "observed order", "between neighbours", "extrapolated"}};
   for (const Order& order : orders) {
     std::string spacings, pairwise;
-    for (const double d : order.spacings_mm) spacings += (spacings.empty() ? "" : ", ") + rounded(d);
+    for (const double d : order.spacings_mm) spacings += (spacings.empty() ? "" : ", ") + plain(d);
     for (const double p : order.pairwise) pairwise += (pairwise.empty() ? "" : ", ") + (std::isnan(p) ? "-" : fmt::format("{:.2f}", p));
     cells.push_back({in_cell(order.study), in_cell(order.method), in_cell(order.quantity), order.reference, spacings,
                      order.observed ? fmt::format("{:.2f}", *order.observed) : "", pairwise,

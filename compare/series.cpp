@@ -39,7 +39,7 @@ std::vector<std::string> as_text(const std::vector<double>& x) {
   return text;
 }
 
-// Errors over the spacing, coarse to fine, or over the case, in the order of the runs: one column a method.
+// Errors over the spacing, coarse to fine, or over the case, in the order of the series or of the runs: one column a method.
 std::string error_csv(const SeriesSpec& series, const StudyOutcome& outcome) {
   const bool over_cases = series.kind == SeriesSpec::Kind::cases;
   std::vector<const Row*> rows;
@@ -48,7 +48,10 @@ std::string error_csv(const SeriesSpec& series, const StudyOutcome& outcome) {
         listed(series.methods, row.method))
       rows.push_back(&row);
   std::vector<const Row*> sorted = rows;
-  if (!over_cases) std::stable_sort(sorted.begin(), sorted.end(), [](const Row* a, const Row* b) { return *a->spacing_mm > *b->spacing_mm; });
+  const auto listed_at = [&](const Row& row) { return std::find(series.cases.begin(), series.cases.end(), row.case_name) - series.cases.begin(); };
+  if (over_cases)
+    std::stable_sort(sorted.begin(), sorted.end(), [&](const Row* a, const Row* b) { return listed_at(*a) < listed_at(*b); });
+  else std::stable_sort(sorted.begin(), sorted.end(), [](const Row* a, const Row* b) { return *a->spacing_mm > *b->spacing_mm; });
   const auto place = [&](const Row& row) { return over_cases ? row.case_name : csv_number(*row.spacing_mm); };
   std::vector<std::string> x;
   for (const Row* row : sorted)

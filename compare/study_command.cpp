@@ -114,7 +114,7 @@ void update_readme(const Study& study, const std::string& table) {
 // Runs a study and those it collects; appends the rows and counts what is missing.
 int run_one(const Study& study, const StudyCommand& command, std::vector<Row>& rows) {
   const fs::path top = fs::path(command.out) / study.name;
-  make_folder(top / "data");
+  make_folder(study.series.empty() ? top : top / "data");
   int failures = 0;
   std::vector<Row> own;
   for (const Study& other : study.collected) failures += run_one(other, command, own);
