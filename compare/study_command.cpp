@@ -112,15 +112,15 @@ void update_readme(const Study& study, const std::string& table) {
 }
 
 // Runs a study and those it collects; appends the rows and counts what is missing.
-int run_one(const Study& study, const StudyCommand& command, std::vector<Row>& rows) {
+int run_one(const Study& study, const StudyCommand& command, const Engine& engine, std::vector<Row>& rows) {
   const fs::path top = fs::path(command.out) / study.name;
   make_folder(study.series.empty() ? top : top / "data");
   int failures = 0;
   std::vector<Row> own;
-  for (const Study& other : study.collected) failures += run_one(other, command, own);
+  for (const Study& other : study.collected) failures += run_one(other, command, engine, own);
 
   StudyOptions options{command.quick, command.command, print, [&](const StudyOutcome& so_far) { write_tables(so_far.rows, top); }};
-  const StudyOutcome outcome = run_study(study, {run_scene, fem::static_limit}, options);
+  const StudyOutcome outcome = run_study(study, engine, options);
   failures += outcome.failures;
   own.insert(own.end(), outcome.rows.begin(), outcome.rows.end());
   write_tables(own, top);
@@ -150,12 +150,14 @@ std::string studies_folder(const std::string& program) {
   throw std::runtime_error("no folder of studies; expected ./studies, or its path in the environment variable FEMSPH_STUDIES");
 }
 
-int study_command(const StudyCommand& command) {
+int study_command(const StudyCommand& command) { return study_command(command, {run_scene, fem::static_limit}); }
+
+int study_command(const StudyCommand& command, const Engine& engine) {
   const Study study = read_study(study_file(command));
   if (command.update_readme && command.quick) throw std::runtime_error("--update-readme with --quick; expected the full study, whose numbers a README states");
   set_threads(command.threads);
   std::vector<Row> rows;
-  return run_one(study, command, rows) == 0 ? 0 : 1;
+  return run_one(study, command, engine, rows) == 0 ? 0 : 1;
 }
 
 int list_command(const std::string& program) {

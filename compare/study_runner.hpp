@@ -34,4 +34,7 @@ struct StudyOptions {
 /// One run after the other. A run that fails becomes rows with a reason, and the study goes on.
 StudyOutcome run_study(const Study& study, const Engine& engine, const StudyOptions& options);
 
+/// study_command with another engine.
+int study_command(const StudyCommand& command, const Engine& engine);
+
 }  // namespace femsph::compare
