@@ -14,24 +14,20 @@ namespace {
 constexpr int modes = 10;  // the tenth carries 2e-5 of the tip's motion and 0.5 % of the root moment
 
 [[noreturn]] void refuse(const std::string& theory, const std::string& why) {
-  throw std::runtime_error(
-      fmt::format("{} theory needs one box, held on x- and loaded by forces on x+ alone, but {}", theory, why));
+  throw std::runtime_error(fmt::format("{} theory needs one box, held on x- and loaded by forces on x+ alone, but {}", theory, why));
 }
 
 bool names(const Place& place, const std::string& side) {
   return std::find(place.sides.begin(), place.sides.end(), side) != place.sides.end();
 }
 
-bool on_plane(const Place& place, double x, double length) {
-  return place.point && std::abs((*place.point)[0] - x) <= 1e-9 * length;
-}
+bool on_plane(const Place& place, double x, double length) { return place.point && std::abs((*place.point)[0] - x) <= 1e-9 * length; }
 
 // Held on x-: its whole face along x, and along y somewhere on it.
 void check_supports(const Scene& scene, const LoadedBox& box, const std::string& theory) {
   bool along_x = false, along_y = false;
   for (const Support& support : scene.supports) {
-    if (!names(support.place, "x-") && !on_plane(support.place, box.origin[0], box.length))
-      refuse(theory, "a support is not on x-");
+    if (!names(support.place, "x-") && !on_plane(support.place, box.origin[0], box.length)) refuse(theory, "a support is not on x-");
     along_x |= support.fixed[0] && support.place.sides == std::vector<std::string>{"x-"};
     along_y |= support.fixed[1];
   }
@@ -61,8 +57,7 @@ LoadedBox box_of(const Scene& scene, const std::string& theory) {
   check_supports(scene, box, theory);
   if (scene.loads.empty()) refuse(theory, "nothing loads it");
   for (const Load& load : scene.loads) {
-    if (!names(load.place, "x+") && !on_plane(load.place, box.origin[0] + box.length, box.length))
-      refuse(theory, "a load is not on x+");
+    if (!names(load.place, "x+") && !on_plane(load.place, box.origin[0] + box.length, box.length)) refuse(theory, "a load is not on x+");
     for (const double factor : load.history.factor) box.step &= factor == load.history.factor.back();
     for (int c = 0; c < 3; ++c) box.force[c] += load.force[c] * load.history.factor.back();
   }
@@ -133,9 +128,7 @@ double cantilever_deflection_timoshenko(const LoadedBox& beam, double x) {
   return cantilever_deflection(beam, x) + beam.force[1] * x / (shear_coefficient * beam.shear * beam.area());
 }
 
-double cantilever_stress(const LoadedBox& beam, double x, double y) {
-  return -beam.force[1] * (beam.length - x) * y / beam.inertia();
-}
+double cantilever_stress(const LoadedBox& beam, double x, double y) { return -beam.force[1] * (beam.length - x) * y / beam.inertia(); }
 
 double cantilever_eigenvalue(int n) {
   double b = (2 * n - 1) * std::numbers::pi / 2;  // the limit of large n; Newton needs four turns for n = 1

@@ -26,11 +26,15 @@ std::vector<const Row*> rows_of(const RowFilter& filter, const Claim& claim, con
   for (const Row& row : rows) {
     if (!filter.matches(row)) continue;
     const bool usable = row.value && (claim.of_value || error_of(row, claim.reference));
-    if (usable) found.push_back(&row);
-    else ++without;
+    if (usable)
+      found.push_back(&row);
+    else
+      ++without;
   }
-  if (without > 0) add_note(verdict, fmt::format("{} row{} without a result ({})", without, without == 1 ? "" : "s", filter.describe()));
-  else if (found.empty()) add_note(verdict, "no row for " + filter.describe());
+  if (without > 0)
+    add_note(verdict, fmt::format("{} row{} without a result ({})", without, without == 1 ? "" : "s", filter.describe()));
+  else if (found.empty())
+    add_note(verdict, "no row for " + filter.describe());
   if (without > 0) found.clear();
   return found;
 }
@@ -42,11 +46,16 @@ std::string row_text(const Claim& claim, const Row& row) {
 bool row_holds(const Claim& claim, const Row& row) {
   const double error = error_of(row, claim.reference).value_or(0);
   switch (claim.kind) {
-    case Kind::below: return std::abs(error) < claim.bound;
-    case Kind::above: return std::abs(error) > claim.bound;
-    case Kind::larger: return error > 0;
-    case Kind::smaller: return error < 0;
-    default: return std::abs(std::abs(claim.of_value ? *row.value : error) - std::abs(*claim.paper)) <= claim.tolerance;
+    case Kind::below:
+      return std::abs(error) < claim.bound;
+    case Kind::above:
+      return std::abs(error) > claim.bound;
+    case Kind::larger:
+      return error > 0;
+    case Kind::smaller:
+      return error < 0;
+    default:
+      return std::abs(std::abs(claim.of_value ? *row.value : error) - std::abs(*claim.paper)) <= claim.tolerance;
   }
 }
 
@@ -98,7 +107,8 @@ void judge_finer(const Claim& claim, const std::vector<Row>& rows, Verdict& verd
   const double error = *error_of(*target[0], claim.reference), spacing = *target[0]->spacing_mm;
   const auto reached = spacing_at_error(errors_of(ladder, claim.reference), std::abs(error));
   if (!reached) return add_note(verdict, "the ladder does not tell where it reaches that error");
-  verdict.ours = fmt::format("{:.3g} times ({:.3g} mm for {} at {:.3g} mm)", spacing / reached->spacing, reached->spacing, percent(error), spacing);
+  verdict.ours =
+      fmt::format("{:.3g} times ({:.3g} mm for {} at {:.3g} mm)", spacing / reached->spacing, reached->spacing, percent(error), spacing);
   if (reached->extrapolated) add_note(verdict, "extrapolated beyond the ladder");
   if (!reached->monotone) add_note(verdict, "the ladder's error does not fall from rung to rung");
   verdict.holds = yes_or_no(within_factor(spacing / reached->spacing, *claim.paper, claim.factor));
@@ -106,14 +116,22 @@ void judge_finer(const Claim& claim, const std::vector<Row>& rows, Verdict& verd
 
 std::string paper_text(const Claim& claim, const std::vector<Row>& rows) {
   switch (claim.kind) {
-    case Kind::below: return fmt::format("below {:g} %", claim.bound);
-    case Kind::above: return fmt::format("above {:g} %", claim.bound);
-    case Kind::larger: return "larger";
-    case Kind::smaller: return "smaller";
-    case Kind::order: return fmt::format("order {:g} to {:g}", claim.low, claim.high);
-    case Kind::ratio: return fmt::format("{:g}, within a factor {:g}", *claim.paper, claim.factor);
-    case Kind::finer: return fmt::format("{:g} times, within a factor {:g}", *claim.paper, claim.factor);
-    case Kind::value: break;
+    case Kind::below:
+      return fmt::format("below {:g} %", claim.bound);
+    case Kind::above:
+      return fmt::format("above {:g} %", claim.bound);
+    case Kind::larger:
+      return "larger";
+    case Kind::smaller:
+      return "smaller";
+    case Kind::order:
+      return fmt::format("order {:g} to {:g}", claim.low, claim.high);
+    case Kind::ratio:
+      return fmt::format("{:g}, within a factor {:g}", *claim.paper, claim.factor);
+    case Kind::finer:
+      return fmt::format("{:g} times, within a factor {:g}", *claim.paper, claim.factor);
+    case Kind::value:
+      break;
   }
   const auto row = std::find_if(rows.begin(), rows.end(), [&](const Row& r) { return claim.rows.matches(r); });
   const std::string unit = !claim.of_value ? "%" : row != rows.end() ? row->unit : "";
@@ -125,10 +143,17 @@ Verdict judge_one(const Claim& claim, const std::vector<Row>& rows) {
   verdict.claim = &claim;
   verdict.paper = paper_text(claim, rows);
   switch (claim.kind) {
-    case Kind::ratio: judge_ratio(claim, rows, verdict); break;
-    case Kind::order: judge_order(claim, rows, verdict); break;
-    case Kind::finer: judge_finer(claim, rows, verdict); break;
-    default: judge_rows(claim, rows, verdict);
+    case Kind::ratio:
+      judge_ratio(claim, rows, verdict);
+      break;
+    case Kind::order:
+      judge_order(claim, rows, verdict);
+      break;
+    case Kind::finer:
+      judge_finer(claim, rows, verdict);
+      break;
+    default:
+      judge_rows(claim, rows, verdict);
   }
   const bool fails = verdict.holds == Holds::no || verdict.holds == Holds::partly;
   if (fails && !claim.note.empty()) add_note(verdict, claim.note);
@@ -137,10 +162,14 @@ Verdict judge_one(const Claim& claim, const std::vector<Row>& rows) {
 
 const char* word(Holds holds) {
   switch (holds) {
-    case Holds::yes: return "yes";
-    case Holds::no: return "no";
-    case Holds::partly: return "partly";
-    case Holds::unknown: break;
+    case Holds::yes:
+      return "yes";
+    case Holds::no:
+      return "no";
+    case Holds::partly:
+      return "partly";
+    case Holds::unknown:
+      break;
   }
   return "not run";
 }

@@ -57,9 +57,12 @@ std::vector<double> resample(std::span<const double> x, std::span<const double> 
       continue;
     }
     const std::size_t next = std::upper_bound(x.begin(), x.end(), p) - x.begin();
-    if (next == 0) out.push_back(value.front());
-    else if (next == x.size()) out.push_back(value.back());
-    else out.push_back(value[next - 1] + (p - x[next - 1]) / (x[next] - x[next - 1]) * (value[next] - value[next - 1]));
+    if (next == 0)
+      out.push_back(value.front());
+    else if (next == x.size())
+      out.push_back(value.back());
+    else
+      out.push_back(value[next - 1] + (p - x[next - 1]) / (x[next] - x[next - 1]) * (value[next] - value[next - 1]));
   }
   return out;
 }

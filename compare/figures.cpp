@@ -60,10 +60,12 @@ void make_figures(const std::string& script, const std::string& style, const std
   namespace fs = std::filesystem;
   const std::string log = (fs::path(out) / "gnuplot.log").string();
   for (const std::string format : {"svg", "png"}) {
-    const std::string settings = fmt::format("format = '{}'; style = {}; data = {}; out = {}", format, gnuplot_text(fs::absolute(style).string()),
-                                             gnuplot_text(fs::absolute(data).string()), gnuplot_text(fs::absolute(out).string()));
+    const std::string settings =
+        fmt::format("format = '{}'; style = {}; data = {}; out = {}", format, gnuplot_text(fs::absolute(style).string()),
+                    gnuplot_text(fs::absolute(data).string()), gnuplot_text(fs::absolute(out).string()));
     const int status = run_gnuplot(settings, script, log);
-    if (status == 127) throw std::runtime_error("figures: no gnuplot found; the tables and data are written, install gnuplot for the figures");
+    if (status == 127)
+      throw std::runtime_error("figures: no gnuplot found; the tables and data are written, install gnuplot for the figures");
     if (status != 0) throw std::runtime_error(fmt::format("figures: {} failed: {} (all of it in {})", script, last_line(log), log));
   }
   std::error_code ignored;

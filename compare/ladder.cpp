@@ -11,9 +11,7 @@ void coarse_first(Ladder& ladder) {
   std::sort(ladder.begin(), ladder.end(), [](const Rung& a, const Rung& b) { return a.spacing > b.spacing; });
 }
 
-double slope(const Rung& coarse, const Rung& fine) {
-  return std::log(coarse.value / fine.value) / std::log(coarse.spacing / fine.spacing);
-}
+double slope(const Rung& coarse, const Rung& fine) { return std::log(coarse.value / fine.value) / std::log(coarse.spacing / fine.spacing); }
 
 }  // namespace
 

@@ -50,7 +50,9 @@ std::string quantity_table(const std::vector<const Row*>& rows, bool several_stu
                      plain(row->cells_over_height), number(row->value), theory ? "" : number(row->theory), percent(row->error_percent),
                      limit ? "" : number(row->limit), percent(row->error_vs_limit_percent), number(row->paper),
                      percent(row->paper_error_percent), plain(row->steps), number(row->cpu_s, 2),
-                     !row->settled ? "" : *row->settled ? "yes" : "no"});
+                     !row->settled   ? ""
+                     : *row->settled ? "yes"
+                                     : "no"});
   return caption + "\n\n" + markdown_table(cells);
 }
 

@@ -37,12 +37,18 @@ double mean(const Curve& curve) {
 double reduce_history(const Curve& curve, Reduce reduce) {
   const auto& v = curve.value;
   switch (reduce) {
-    case Reduce::max: return *std::max_element(v.begin(), v.end());
-    case Reduce::min: return *std::min_element(v.begin(), v.end());
-    case Reduce::peak: return *std::max_element(v.begin(), v.end(), [](double a, double b) { return std::abs(a) < std::abs(b); });
-    case Reduce::mean: return mean(curve);
-    case Reduce::frequency: break;
-    default: return v.back();
+    case Reduce::max:
+      return *std::max_element(v.begin(), v.end());
+    case Reduce::min:
+      return *std::min_element(v.begin(), v.end());
+    case Reduce::peak:
+      return *std::max_element(v.begin(), v.end(), [](double a, double b) { return std::abs(a) < std::abs(b); });
+    case Reduce::mean:
+      return mean(curve);
+    case Reduce::frequency:
+      break;
+    default:
+      return v.back();
   }
   const auto frequency = dominant_frequency(curve.at, v);
   if (!frequency) throw std::runtime_error("the history does not swing back, so it has no frequency");
@@ -85,13 +91,14 @@ Reduced reduce_l2(const QuantitySpec& quantity, const RunResult& result, const S
   Reduced reduced{};
   if (quantity.theory) {
     std::vector<double> exact;
-    for (const double distance : curve.at) exact.push_back(theory_named(*quantity.theory).value(scene, section_point(section, distance), 0));
+    for (const double distance : curve.at)
+      exact.push_back(theory_named(*quantity.theory).value(scene, section_point(section, distance), 0));
     reduced.error_percent = percent_l2(curve.at, curve.value, exact);
   }
   if (limit && limit->sections.contains(si.section)) {
     std::vector<double> distance, value;
     const auto& points = limit->sections.at(si.section);
-    const Point& a = section.from, &b = section.to;
+    const Point &a = section.from, &b = section.to;
     const double length = std::hypot(b[0] - a[0], b[1] - a[1], b[2] - a[2]);
     for (std::size_t i = 0; i < points.size(); ++i) {
       distance.push_back(length * double(i) / double(points.size() - 1));
@@ -112,7 +119,8 @@ Curve curve_of(const Observed& observed, const RunResult& result) {
   const Column* column = nullptr;
   if (!observed.section.empty()) {
     const auto found = result.profiles.find(observed.section);
-    if (found == result.profiles.end()) throw std::runtime_error(fmt::format("the run gave no profile of the section \"{}\"", observed.section));
+    if (found == result.profiles.end())
+      throw std::runtime_error(fmt::format("the run gave no profile of the section \"{}\"", observed.section));
     curve.at = found->second.distance;
     for (const Column& c : found->second.columns)
       if (c.name == observed.component || c.name.ends_with("_" + observed.component)) column = &c;
@@ -148,8 +156,10 @@ Reduced reduce(const QuantitySpec& quantity, const RunResult& result, const Scen
   if (quantity.reduce == Reduce::frequency) observed.unit.factor = 1;  // the unit is that of the frequency
   const Curve curve = curve_of(observed, result);
   double value;
-  if (of_section(quantity.reduce)) value = curve.value[fibre(section_named(scene, observed.section), curve.value.size(), quantity.reduce)];
-  else value = reduce_history(curve, quantity.reduce);
+  if (of_section(quantity.reduce))
+    value = curve.value[fibre(section_named(scene, observed.section), curve.value.size(), quantity.reduce)];
+  else
+    value = reduce_history(curve, quantity.reduce);
   if (quantity.reduce == Reduce::frequency) value /= quantity.observed.unit.factor;
   if (!std::isfinite(value)) throw std::runtime_error(fmt::format("{} is not a finite number", quantity.name));
 

@@ -48,10 +48,13 @@ std::string error_csv(const SeriesSpec& series, const StudyOutcome& outcome) {
         listed(series.methods, row.method))
       rows.push_back(&row);
   std::vector<const Row*> sorted = rows;
-  const auto listed_at = [&](const Row& row) { return std::find(series.cases.begin(), series.cases.end(), row.case_name) - series.cases.begin(); };
+  const auto listed_at = [&](const Row& row) {
+    return std::find(series.cases.begin(), series.cases.end(), row.case_name) - series.cases.begin();
+  };
   if (over_cases)
     std::stable_sort(sorted.begin(), sorted.end(), [&](const Row* a, const Row* b) { return listed_at(*a) < listed_at(*b); });
-  else std::stable_sort(sorted.begin(), sorted.end(), [](const Row* a, const Row* b) { return *a->spacing_mm > *b->spacing_mm; });
+  else
+    std::stable_sort(sorted.begin(), sorted.end(), [](const Row* a, const Row* b) { return *a->spacing_mm > *b->spacing_mm; });
   const auto place = [&](const Row& row) { return over_cases ? row.case_name : csv_number(*row.spacing_mm); };
   std::vector<std::string> x;
   for (const Row* row : sorted)
@@ -68,7 +71,8 @@ std::string error_csv(const SeriesSpec& series, const StudyOutcome& outcome) {
 std::vector<const FinishedRun*> shown_runs(const SeriesSpec& series, const StudyOutcome& outcome) {
   std::vector<const FinishedRun*> shown;
   for (const FinishedRun& run : outcome.runs)
-    if (listed(series.cases, run.plan->case_name) && listed(series.methods, run.plan->label) && (!series.scene || *series.scene == run.plan->scene))
+    if (listed(series.cases, run.plan->case_name) && listed(series.methods, run.plan->label) &&
+        (!series.scene || *series.scene == run.plan->scene))
       shown.push_back(&run);
   return shown;
 }
@@ -81,7 +85,8 @@ std::string curve_name(const SeriesSpec& series, const PlannedRun& run) {
 
 std::vector<double> grid(const std::vector<Curve>& curves, bool history) {
   if (curves.empty()) return {};
-  const auto longest = std::max_element(curves.begin(), curves.end(), [](const Curve& a, const Curve& b) { return a.at.back() < b.at.back(); });
+  const auto longest =
+      std::max_element(curves.begin(), curves.end(), [](const Curve& a, const Curve& b) { return a.at.back() < b.at.back(); });
   if (!history || curves.size() == 1) return longest->at;
   std::vector<double> x(401);
   for (std::size_t i = 0; i < x.size(); ++i) x[i] = longest->at.back() * double(i) / double(x.size() - 1);
@@ -109,7 +114,8 @@ std::string curves_csv(const SeriesSpec& series, const Study& study, const Study
   std::vector<double> x = grid(raw, history);
   std::vector<NamedCurve> curves;
   for (std::size_t i = 0; i < raw.size(); ++i) curves.push_back({curve_name(series, *runs[i]->plan), resample(raw[i].at, raw[i].value, x)});
-  if (series.theory && !runs.empty()) curves.push_back({"theory", theory_values(series, study.scenes.at(series.scene.value_or(runs[0]->plan->scene)), x)});
+  if (series.theory && !runs.empty())
+    curves.push_back({"theory", theory_values(series, study.scenes.at(series.scene.value_or(runs[0]->plan->scene)), x)});
   for (double& at : x) at /= history ? series.time_unit.factor : 1e-3;
   return wide_csv(history ? "time_" + series.time_unit.name : "distance_mm", as_text(x), curves);
 }

@@ -45,9 +45,9 @@ struct QuantitySpec {
   std::string name;
   Observed observed;
   Reduce reduce = Reduce::final;
-  SignRule sign = SignRule::as_is;   ///< how value, theory and limit are shown
-  std::optional<std::string> theory; ///< name of a theory value
-  std::optional<std::string> scene;  ///< only of runs of that scene
+  SignRule sign = SignRule::as_is;    ///< how value, theory and limit are shown
+  std::optional<std::string> theory;  ///< name of a theory value
+  std::optional<std::string> scene;   ///< only of runs of that scene
 };
 
 /// A number that the paper reports.
@@ -62,13 +62,13 @@ struct PaperNumber {
 struct SeriesSpec {
   enum class Kind { error, cases, history, profile } kind = Kind::error;
   std::string file;
-  std::string quantity;                       ///< error, cases
-  Reference reference = Reference::theory;    ///< error, cases
-  Observed observed;                          ///< history, profile
-  Unit time_unit{"ms", 1e-3};                 ///< history
-  std::optional<std::string> theory;          ///< history, profile: a column of theory
-  std::vector<std::string> cases, methods;    ///< empty: all
-  std::optional<std::string> scene;           ///< whose theory; default: the first run's
+  std::string quantity;                     ///< error, cases
+  Reference reference = Reference::theory;  ///< error, cases
+  Observed observed;                        ///< history, profile
+  Unit time_unit{"ms", 1e-3};               ///< history
+  std::optional<std::string> theory;        ///< history, profile: a column of theory
+  std::vector<std::string> cases, methods;  ///< empty: all
+  std::optional<std::string> scene;         ///< whose theory; default: the first run's
 };
 
 /// The converged static solution to compare with.
@@ -100,9 +100,9 @@ struct StudyCommand {
   std::string out = "results";  ///< the study writes OUT/NAME/
   bool quick = false;
   int threads = 1;
-  bool update_readme = false;   ///< rewrite the table in the study's README.md
-  std::string program;          ///< argv[0], to find the studies that come with the program
-  std::string command;          ///< the command line, for the records
+  bool update_readme = false;  ///< rewrite the table in the study's README.md
+  std::string program;         ///< argv[0], to find the studies that come with the program
+  std::string command;         ///< the command line, for the records
 };
 
 /// Runs a study and writes its tables, data and figures. Returns the exit code: 0, or 1 when a run, a figure or a claim's row is missing.

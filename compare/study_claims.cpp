@@ -60,7 +60,8 @@ RowFilter read_filter(Fields& fields, const std::vector<Row>& planned) {
   filter.cases = read_names(fields, "cases", known_words(&Row::case_name, planned), "case");
   filter.method = read_word(fields, "method", &Row::method, planned);
   filter.quantity = read_word(fields, "quantity", &Row::quantity, planned);
-  if (const auto spacing = fields.quantity("spacing", Need::optional, dimension::length, Sign::positive)) filter.spacing_mm = 1e3 * *spacing;
+  if (const auto spacing = fields.quantity("spacing", Need::optional, dimension::length, Sign::positive))
+    filter.spacing_mm = 1e3 * *spacing;
   return filter;
 }
 
@@ -95,7 +96,9 @@ void read_kind(Fields& fields, Claim& claim, const std::vector<Row>& planned) {
       claim.tolerance = positive(fields, "tolerance", 0);
       break;
     case Kind::below:
-    case Kind::above: claim.bound = positive(fields, "bound", 0); break;
+    case Kind::above:
+      claim.bound = positive(fields, "bound", 0);
+      break;
     case Kind::ratio:
     case Kind::finer:
       claim.other = read_filter_table(fields, "other", planned);
@@ -107,7 +110,8 @@ void read_kind(Fields& fields, Claim& claim, const std::vector<Row>& planned) {
       claim.high = fields.number("high", Need::required).value_or(0);
       break;
     case Kind::larger:
-    case Kind::smaller: break;
+    case Kind::smaller:
+      break;
   }
 }
 
@@ -117,11 +121,17 @@ void one_claim(Fields& fields, StudyReading& reading, const std::vector<Row>& pl
   claim.source = fields.text("source", Need::required, "where the paper says it, such as \"fig 5\"").value_or("");
   claim.text = fields.text("text", Need::required, "the claim in words").value_or("");
   claim.note = fields.text("note", Need::optional).value_or("");
-  claim.reference =
-      fields.choice<Reference>("reference", Need::optional, {{"theory", Reference::theory}, {"limit", Reference::limit}}).value_or(Reference::theory);
+  claim.reference = fields.choice<Reference>("reference", Need::optional, {{"theory", Reference::theory}, {"limit", Reference::limit}})
+                        .value_or(Reference::theory);
   const auto kind = fields.choice<Kind>("kind", Need::required,
-                                        {{"value", Kind::value}, {"below", Kind::below}, {"above", Kind::above}, {"ratio", Kind::ratio},
-                                         {"order", Kind::order}, {"finer", Kind::finer}, {"larger", Kind::larger}, {"smaller", Kind::smaller}});
+                                        {{"value", Kind::value},
+                                         {"below", Kind::below},
+                                         {"above", Kind::above},
+                                         {"ratio", Kind::ratio},
+                                         {"order", Kind::order},
+                                         {"finer", Kind::finer},
+                                         {"larger", Kind::larger},
+                                         {"smaller", Kind::smaller}});
   if (!kind) return;
   claim.kind = *kind;
   read_kind(fields, claim, planned);
@@ -131,7 +141,8 @@ void one_claim(Fields& fields, StudyReading& reading, const std::vector<Row>& pl
 
 std::optional<double> read_paper_value(Fields& fields, const std::optional<std::string>& quantity, const Study& study) {
   const auto text = fields.text("value", Need::optional, "a number with the unit of the quantity, such as \"4.765 mm\"");
-  const auto spec = std::find_if(study.quantities.begin(), study.quantities.end(), [&](const QuantitySpec& q) { return q.name == quantity; });
+  const auto spec =
+      std::find_if(study.quantities.begin(), study.quantities.end(), [&](const QuantitySpec& q) { return q.name == quantity; });
   if (!text || spec == study.quantities.end()) return {};
   const std::string& unit = spec->observed.unit.name;
   try {
@@ -153,7 +164,8 @@ void read_paper(Fields& root, StudyReading& reading) {
     number.value = read_paper_value(fields, number.rows.quantity, reading.study);
     number.error_percent = fields.number("error_percent", Need::optional);
     number.source = fields.text("source", Need::required, "where the paper says it, such as \"fig 14\"").value_or("");
-    if (!fields.has("value") && !fields.has("error_percent")) fields.fault("value", "expected \"value\", \"error_percent\" or both in [[paper]]");
+    if (!fields.has("value") && !fields.has("error_percent"))
+      fields.fault("value", "expected \"value\", \"error_percent\" or both in [[paper]]");
     fields.done();
     if (number.rows.quantity) check_filter(fields, "quantity", number.rows, planned);
     reading.study.paper.push_back(number);

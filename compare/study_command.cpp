@@ -42,8 +42,8 @@ std::string study_file(const StudyCommand& command) {
   const std::string folder = studies_folder(command.program);
   const auto names = studies_in(folder);
   if (std::find(names.begin(), names.end(), command.name) == names.end())
-    throw std::runtime_error(fmt::format("no study is called {}; expected a folder or one of {} in {}{}", in_quotes(command.name), one_of(names),
-                                         folder, did_you_mean(command.name, names)));
+    throw std::runtime_error(fmt::format("no study is called {}; expected a folder or one of {} in {}{}", in_quotes(command.name),
+                                         one_of(names), folder, did_you_mean(command.name, names)));
   return (fs::path(folder) / command.name / "study.toml").string();
 }
 
@@ -154,7 +154,8 @@ int study_command(const StudyCommand& command) { return study_command(command, {
 
 int study_command(const StudyCommand& command, const Engine& engine) {
   const Study study = read_study(study_file(command));
-  if (command.update_readme && command.quick) throw std::runtime_error("--update-readme with --quick; expected the full study, whose numbers a README states");
+  if (command.update_readme && command.quick)
+    throw std::runtime_error("--update-readme with --quick; expected the full study, whose numbers a README states");
   set_threads(command.threads);
   std::vector<Row> rows;
   return run_one(study, command, engine, rows) == 0 ? 0 : 1;

@@ -12,9 +12,15 @@
 namespace femsph::compare {
 namespace {
 
-const std::vector<std::pair<std::string, Reduce>> reductions = {
-    {"final", Reduce::final}, {"max", Reduce::max}, {"min", Reduce::min}, {"peak", Reduce::peak}, {"mean", Reduce::mean},
-    {"frequency", Reduce::frequency}, {"fibre_upper", Reduce::fibre_upper}, {"fibre_lower", Reduce::fibre_lower}, {"l2", Reduce::l2}};
+const std::vector<std::pair<std::string, Reduce>> reductions = {{"final", Reduce::final},
+                                                                {"max", Reduce::max},
+                                                                {"min", Reduce::min},
+                                                                {"peak", Reduce::peak},
+                                                                {"mean", Reduce::mean},
+                                                                {"frequency", Reduce::frequency},
+                                                                {"fibre_upper", Reduce::fibre_upper},
+                                                                {"fibre_lower", Reduce::fibre_lower},
+                                                                {"l2", Reduce::l2}};
 const std::vector<std::pair<std::string, SignRule>> signs = {
     {"as-is", SignRule::as_is}, {"reversed", SignRule::reversed}, {"magnitude", SignRule::magnitude}};
 const std::vector<std::string> energies = {"kinetic", "strain", "hourglass", "external", "damping", "viscosity"};
@@ -23,10 +29,14 @@ bool of_section(Reduce reduce) { return reduce == Reduce::fibre_upper || reduce 
 
 const char* si_unit(Quantity quantity) {
   switch (quantity) {
-    case Quantity::displacement: return "m";
-    case Quantity::velocity: return "m/s";
-    case Quantity::stress: return "Pa";
-    case Quantity::strain: break;
+    case Quantity::displacement:
+      return "m";
+    case Quantity::velocity:
+      return "m/s";
+    case Quantity::stress:
+      return "Pa";
+    case Quantity::strain:
+      break;
   }
   return "1";
 }
@@ -52,10 +62,12 @@ std::optional<Quantity> find_observer(Fields& fields, const char* key, const std
     quantity = section ? observer(read.sections, name) : observer(read.probes, name);
     if (quantity) continue;
     std::vector<std::string> names;
-    if (section) for (const Section& s : read.sections) names.push_back(s.name);
-    else for (const Probe& p : read.probes) names.push_back(p.name);
-    fields.fault(key, fmt::format("no {} is called {} in {}{}{}", key, in_quotes(name), file, names.empty() ? "" : "; expected " + one_of(names),
-                                  did_you_mean(name, names)));
+    if (section)
+      for (const Section& s : read.sections) names.push_back(s.name);
+    else
+      for (const Probe& p : read.probes) names.push_back(p.name);
+    fields.fault(key, fmt::format("no {} is called {} in {}{}{}", key, in_quotes(name), file,
+                                  names.empty() ? "" : "; expected " + one_of(names), did_you_mean(name, names)));
     return {};
   }
   return quantity;
@@ -86,7 +98,8 @@ Observed read_observed(Fields& fields, const std::optional<std::string>& scene, 
   }
   std::string si = "J";
   if (energy && std::find(energies.begin(), energies.end(), *energy) == energies.end())
-    fields.fault("energy", fmt::format("unknown energy {}; expected {}{}", in_quotes(*energy), one_of(energies), did_you_mean(*energy, energies)));
+    fields.fault("energy",
+                 fmt::format("unknown energy {}; expected {}{}", in_quotes(*energy), one_of(energies), did_you_mean(*energy, energies)));
   if (!energy) {
     const char* key = probe ? "probe" : "section";
     const auto quantity = find_observer(fields, key, probe ? *probe : *section, scene, study);
@@ -94,7 +107,8 @@ Observed read_observed(Fields& fields, const std::optional<std::string>& scene, 
     const auto known = components(*quantity);
     observed.component = component.value_or("");
     if (std::find(known.begin(), known.end(), observed.component) == known.end())
-      fields.fault(component ? "component" : key, fmt::format("the component is {}; expected {}", in_quotes(observed.component), one_of(known)));
+      fields.fault(component ? "component" : key,
+                   fmt::format("the component is {}; expected {}", in_quotes(observed.component), one_of(known)));
     si = si_unit(*quantity);
   }
   observed.unit = read_unit(fields, "unit", unit, si_of_reduced.empty() ? si : si_of_reduced);
@@ -120,7 +134,8 @@ std::optional<std::string> read_scene_name(Fields& fields, const Study& study) {
   std::vector<std::string> known;
   for (const auto& [file, scene] : study.scenes) known.push_back(file);
   if (!name || study.scenes.contains(*name)) return name;
-  fields.fault("scene", fmt::format("no run uses the scene {}; expected {}{}", in_quotes(*name), one_of(known), did_you_mean(*name, known)));
+  fields.fault("scene",
+               fmt::format("no run uses the scene {}; expected {}{}", in_quotes(*name), one_of(known), did_you_mean(*name, known)));
   return {};
 }
 
@@ -137,7 +152,9 @@ void one_quantity(Fields& fields, StudyReading& reading) {
   quantity.theory = read_theory(fields, quantity.scene, reading.study);
   fields.done();
   if (quantity.observed.section.empty() == of_section(quantity.reduce))
-    fields.fault("reduce", "\"reduce\" does not fit; expected fibre_upper, fibre_lower or l2 for a section, and one of the others for a probe or an energy");
+    fields.fault(
+        "reduce",
+        "\"reduce\" does not fit; expected fibre_upper, fibre_lower or l2 for a section, and one of the others for a probe or an energy");
   if (quantity.theory && theory_named(*quantity.theory).on_time())
     fields.fault("theory", "a theory that depends on time; expected one value (a history goes into [[series]])");
   if (quantity.reduce == Reduce::l2 && !quantity.theory && !reading.study.limit)
@@ -160,22 +177,26 @@ void one_series(Fields& fields, StudyReading& reading) {
   const Study& study = reading.study;
   SeriesSpec series;
   series.file = read_file_name(fields);
-  series.kind = fields.choice<Kind>("kind", Need::required, {{"error", Kind::error}, {"cases", Kind::cases}, {"history", Kind::history}, {"profile", Kind::profile}})
+  series.kind = fields
+                    .choice<Kind>("kind", Need::required,
+                                  {{"error", Kind::error}, {"cases", Kind::cases}, {"history", Kind::history}, {"profile", Kind::profile}})
                     .value_or(Kind::error);
   series.cases = read_names(fields, "cases", case_names(study), "case");
   series.methods = read_names(fields, "methods", method_labels(study), "method");
   if (series.kind == Kind::error || series.kind == Kind::cases) {
     const auto known = quantity_names(study);
     series.quantity = fields.text("quantity", Need::required, one_of(known)).value_or("");
-    series.reference =
-        fields.choice<Reference>("reference", Need::optional, {{"theory", Reference::theory}, {"limit", Reference::limit}}).value_or(Reference::theory);
+    series.reference = fields.choice<Reference>("reference", Need::optional, {{"theory", Reference::theory}, {"limit", Reference::limit}})
+                           .value_or(Reference::theory);
     if (!series.quantity.empty() && std::find(known.begin(), known.end(), series.quantity) == known.end())
-      fields.fault("quantity", fmt::format("unknown quantity {}; expected {}{}", in_quotes(series.quantity), one_of(known), did_you_mean(series.quantity, known)));
+      fields.fault("quantity", fmt::format("unknown quantity {}; expected {}{}", in_quotes(series.quantity), one_of(known),
+                                           did_you_mean(series.quantity, known)));
   } else {
     series.scene = read_scene_name(fields, study);
     series.observed = read_observed(fields, series.scene, "", study);
     series.theory = read_theory(fields, series.scene, study);
-    if (series.kind == Kind::history) series.time_unit = read_unit(fields, "time_unit", fields.text("time_unit", Need::optional).value_or("ms"), "s");
+    if (series.kind == Kind::history)
+      series.time_unit = read_unit(fields, "time_unit", fields.text("time_unit", Need::optional).value_or("ms"), "s");
     if (series.observed.section.empty() == (series.kind == Kind::profile))
       fields.fault("kind", "\"kind\" does not fit; expected \"profile\" with a section, \"history\" with a probe or an energy");
   }

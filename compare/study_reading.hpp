@@ -16,11 +16,11 @@ struct StudyReading {
 /// The file of a scene, read on first use; nothing, with a fault at `key`, when it cannot be read.
 const Scene* scene_of(const Fields& fields, const char* key, const std::string& file, StudyReading& reading);
 
-void read_runs(Fields& root, StudyReading& reading);         // study_runs.cpp
+void read_runs(Fields& root, StudyReading& reading);  // study_runs.cpp
 void read_limit(Fields& root, StudyReading& reading);
-void read_quantities(Fields& root, StudyReading& reading);   // study_quantities.cpp
+void read_quantities(Fields& root, StudyReading& reading);  // study_quantities.cpp
 void read_series(Fields& root, StudyReading& reading);
-void read_paper(Fields& root, StudyReading& reading);        // study_claims.cpp
+void read_paper(Fields& root, StudyReading& reading);  // study_claims.cpp
 void read_claims(Fields& root, StudyReading& reading);
 
 /// "20x2" or "20x2x1". Nothing if it is neither.

@@ -62,8 +62,10 @@ void add_paper(const Study& study, Row& row) {
   for (const PaperNumber& number : study.paper) {
     if (!number.rows.matches(row)) continue;
     if (number.value) row.paper = number.value;
-    if (number.error_percent) row.paper_error_percent = number.error_percent;
-    else if (number.value && row.theory) row.paper_error_percent = percent_error(*number.value, *row.theory);
+    if (number.error_percent)
+      row.paper_error_percent = number.error_percent;
+    else if (number.value && row.theory)
+      row.paper_error_percent = percent_error(*number.value, *row.theory);
   }
 }
 
@@ -73,7 +75,8 @@ const fem::StaticLimit* limit_of(const Limits& limits, const std::string& scene)
 }
 
 // The rows of one run; a quantity that cannot be taken is a row with the reason.
-std::vector<Row> rows_of(const Study& study, const PlannedRun& run, const RunResult* result, const std::string& failure, const Limits& limits) {
+std::vector<Row> rows_of(const Study& study, const PlannedRun& run, const RunResult* result, const std::string& failure,
+                         const Limits& limits) {
   const Scene& scene = study.scenes.at(run.scene);
   std::vector<Row> rows;
   for (const QuantitySpec& quantity : study.quantities) {
@@ -102,7 +105,8 @@ std::string line_of(const Study& study, const PlannedRun& run, const std::vector
   if (!failure.empty()) return line + " failed: " + failure;
   if (!rows.empty() && rows[0].spacing_mm) line += fmt::format(" {:g} mm", *rows[0].spacing_mm);
   for (const Row& row : rows) {
-    line += row.value ? fmt::format("  {} {} {}", row.quantity, rounded(*row.value), row.unit) : fmt::format("  {}: {}", row.quantity, row.failure);
+    line += row.value ? fmt::format("  {} {} {}", row.quantity, rounded(*row.value), row.unit)
+                      : fmt::format("  {}: {}", row.quantity, row.failure);
     if (row.error_percent && row.theory) line += fmt::format(" ({:+.2f} %)", *row.error_percent);
   }
   if (!rows.empty() && rows[0].settled == false) line += "  NOT SETTLED";

@@ -26,9 +26,9 @@ struct StudyOutcome {
 
 struct StudyOptions {
   bool quick = false;
-  std::string command;                                  ///< for the records
-  std::function<void(const std::string& line)> log;     ///< one line for each run
-  std::function<void(const StudyOutcome&)> after_run;   ///< so that what is there is kept, whatever comes
+  std::string command;                                 ///< for the records
+  std::function<void(const std::string& line)> log;    ///< one line for each run
+  std::function<void(const StudyOutcome&)> after_run;  ///< so that what is there is kept, whatever comes
 };
 
 /// One run after the other. A run that fails becomes rows with a reason, and the study goes on.

@@ -39,8 +39,10 @@ std::vector<Resolution> read_resolutions(Fields& fields, int dim) {
   for (const double spacing : spacings.value_or(std::vector<double>{})) all.push_back({spacing, {}});
   for (const std::string& text : divisions.value_or(std::vector<std::string>{})) {
     const auto cells = parse_divisions(text);
-    if (cells && ((*cells)[2] > 0) == (dim == 3)) all.push_back({0, *cells});
-    else fields.fault("divisions", fmt::format("{} in \"divisions\"; expected {} whole numbers with \"x\" between", in_quotes(text), dim));
+    if (cells && ((*cells)[2] > 0) == (dim == 3))
+      all.push_back({0, *cells});
+    else
+      fields.fault("divisions", fmt::format("{} in \"divisions\"; expected {} whole numbers with \"x\" between", in_quotes(text), dim));
   }
   return all;
 }
@@ -70,10 +72,12 @@ void one_block(Fields& fields, StudyReading& reading, int ladder) {
   const auto quick = read_names(fields, "quick", cases, "case");
   const auto label = fields.text("label", Need::optional, "a name for the method in tables");
   const auto safety = fields.number("safety", Need::optional, "a number above 0: the step over the critical step");
-  if (safety && *safety <= 0) fields.fault("safety", "\"safety\" is not positive; expected a number above 0: the step over the critical step");
+  if (safety && *safety <= 0)
+    fields.fault("safety", "\"safety\" is not positive; expected a number above 0: the step over the critical step");
   if (label && chosen.size() > 1) fields.fault("label", "\"label\" with several methods; expected it with one");
   Overrides overrides;
-  if (auto options = fields.table("options", Need::optional, "a table such as {smoothing = 1.2}")) overrides = read_overrides(*options, chosen);
+  if (auto options = fields.table("options", Need::optional, "a table such as {smoothing = 1.2}"))
+    overrides = read_overrides(*options, chosen);
   fields.done();
   for (std::size_t i = 0; i < resolutions.size(); ++i)
     for (const Method& method : chosen) {
@@ -113,8 +117,10 @@ void read_limit(Fields& root, StudyReading& reading) {
   limit.degree = fields->count("degree", Need::optional, 1, 8).value_or(limit.degree);
   fields->done();
   if (!text) return;
-  if (const auto cells = parse_divisions(*text)) limit.divisions = *cells;
-  else fields->fault("divisions", fmt::format("\"divisions\" is {}; expected cells along the axes, such as \"100x10\"", in_quotes(*text)));
+  if (const auto cells = parse_divisions(*text))
+    limit.divisions = *cells;
+  else
+    fields->fault("divisions", fmt::format("\"divisions\" is {}; expected cells along the axes, such as \"100x10\"", in_quotes(*text)));
   reading.study.limit = limit;
 }
 

@@ -53,7 +53,9 @@ const std::vector<RowColumn>& row_columns() {
       number("ns_per_unit_step", &Row::ns_per_unit_step),
       number("energy_imbalance_percent", &Row::energy_imbalance_percent),
       number("momentum_error", &Row::momentum_error),
-      {"settled", [](const Row& row) { return std::string(!row.settled ? "" : *row.settled ? "yes" : "no"); }},
+      {"settled", [](const Row& row) { return std::string(!row.settled   ? ""
+                                                          : *row.settled ? "yes"
+                                                                         : "no"); }},
       words("failure", &Row::failure),
   };
   return columns;
@@ -101,9 +103,8 @@ std::vector<Order> orders_of(const std::vector<Row>& rows) {
       std::vector<const Row*> rungs = ladders[key];
       std::erase_if(rungs, [&](const Row* row) { return !row->value || !row->spacing_mm || !error_of(*row, reference); });
       std::stable_sort(rungs.begin(), rungs.end(), [](const Row* a, const Row* b) { return *a->spacing_mm > *b->spacing_mm; });
-      const bool rises = std::adjacent_find(rungs.begin(), rungs.end(), [](const Row* a, const Row* b) {
-                           return *a->spacing_mm == *b->spacing_mm;
-                         }) == rungs.end();
+      const bool rises = std::adjacent_find(rungs.begin(), rungs.end(),
+                                            [](const Row* a, const Row* b) { return *a->spacing_mm == *b->spacing_mm; }) == rungs.end();
       if (rungs.size() >= 2 && rises) orders.push_back(order_of(rungs, reference));
     }
   return orders;

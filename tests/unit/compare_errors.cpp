@@ -1,11 +1,11 @@
 // Errors on functions whose distance is known.
 
-#include "compare/errors.hpp"
-
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <numbers>
+
+#include "compare/errors.hpp"
 
 namespace femsph::compare {
 namespace {

@@ -1,10 +1,10 @@
 // Orders, limits and spacings on ladders whose law is known: e = C d^p, v = limit + C d^p.
 
-#include "compare/ladder.hpp"
-
 #include <gtest/gtest.h>
 
 #include <cmath>
+
+#include "compare/ladder.hpp"
 
 namespace femsph::compare {
 namespace {

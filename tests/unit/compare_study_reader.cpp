@@ -129,7 +129,8 @@ TEST_F(StudyReader, SlipsInRuns) {
 }
 
 TEST_F(StudyReader, SlipsInQuantitiesAndSeries) {
-  EXPECT_THAT(message(with(good, "probe = \"tip\"", "probe = \"tpi\"")), HasSubstr("study.toml:17:9: no probe is called \"tpi\" in scene.toml"));
+  EXPECT_THAT(message(with(good, "probe = \"tip\"", "probe = \"tpi\"")),
+              HasSubstr("study.toml:17:9: no probe is called \"tpi\" in scene.toml"));
   EXPECT_THAT(message(with(good, "component = \"y\"", "component = \"yy\"")), HasSubstr("expected \"x\", \"y\" or \"z\""));
   EXPECT_THAT(message(with(good, "unit = \"mm\"", "unit = \"MPa\"")), HasSubstr("expected a unit of the same kind as \"m\""));
   EXPECT_THAT(message(with(good, "reduce = \"l2\"", "reduce = \"max\"")), HasSubstr("\"reduce\" does not fit"));
@@ -142,9 +143,11 @@ TEST_F(StudyReader, SlipsInQuantitiesAndSeries) {
 // A filter that no planned run fits is found before the runs, even if each of its words exists.
 TEST_F(StudyReader, SlipsInPaperAndClaims) {
   EXPECT_THAT(message(with(good, "value = \"0.4765 cm\"", "value = \"0.4765 MPa\"")), HasSubstr("\"value\": "));
-  EXPECT_THAT(message(with(good, "method = \"fem-full\", quantity", "method = \"sph-corrected\", quantity")), HasSubstr("no run has the method"));
-  EXPECT_THAT(message(with(good, "method = \"fem-full\", quantity", "method = \"sph-corrected smoothing=1.2 kernel=wendland-c2\", quantity")),
-              HasSubstr("no run of the study gives 1_1 sph-corrected"));
+  EXPECT_THAT(message(with(good, "method = \"fem-full\", quantity", "method = \"sph-corrected\", quantity")),
+              HasSubstr("no run has the method"));
+  EXPECT_THAT(
+      message(with(good, "method = \"fem-full\", quantity", "method = \"sph-corrected smoothing=1.2 kernel=wendland-c2\", quantity")),
+      HasSubstr("no run of the study gives 1_1 sph-corrected"));
   EXPECT_THAT(message(with(good, "bound = 10", "bond = 10")), AllOf(HasSubstr("missing \"bound\""), HasSubstr("did you mean \"bound\"?")));
 }
 
@@ -168,7 +171,8 @@ TEST(Studies, AreAllReadable) {
   for (const std::string name : {"uniaxial", "boundary", "fem-mesh", "spacing", "depth", "paper"}) {
     const Study study = read_study(std::string(FEMSPH_SOURCE_DIR) + "/studies/" + name + "/study.toml");
     EXPECT_EQ(study.name, name);
-    EXPECT_TRUE(study.collected.size() == 5 || std::any_of(study.runs.begin(), study.runs.end(), [](const auto& run) { return run.quick; })) << name;
+    EXPECT_TRUE(study.collected.size() == 5 || std::any_of(study.runs.begin(), study.runs.end(), [](const auto& run) { return run.quick; }))
+        << name;
   }
 }
 

@@ -1,12 +1,11 @@
 // Runs of a study with solvers put in its place, the numbers taken from them, and the data behind figures.
 
-#include "compare/study_runner.hpp"
-
 #include <gmock/gmock.h>
 
 #include "compare/figures.hpp"
 #include "compare/reduce.hpp"
 #include "compare/series.hpp"
+#include "compare/study_runner.hpp"
 #include "compare_support.hpp"
 
 namespace femsph::compare {
@@ -132,8 +131,8 @@ TEST_F(StudyRunner, TakesItsNumbers) {
   EXPECT_NEAR(*tip.paper_error_percent, 10, 1e-6);  // 5.238 is 1.1 times theory
   EXPECT_EQ(*tip.steps, 1000);
   EXPECT_EQ(*tip.cells_over_height, 5);
-  EXPECT_NEAR(*tip.ns_per_unit_step, 5000, 1e-9);         // 0.5 s for 1e5 unit-steps
-  EXPECT_NEAR(*tip.energy_imbalance_percent, 1, 1e-9);    // 10 J in, 9.9 J found
+  EXPECT_NEAR(*tip.ns_per_unit_step, 5000, 1e-9);       // 0.5 s for 1e5 unit-steps
+  EXPECT_NEAR(*tip.energy_imbalance_percent, 1, 1e-9);  // 10 J in, 9.9 J found
   EXPECT_EQ(tip.settled, true);
   const Row &peak = outcome.rows[1], &fibre = outcome.rows[2], &l2 = outcome.rows[3];
   EXPECT_NEAR(*peak.value, -1.5 * 4.7619 * 1.02, 1e-3);  // the largest magnitude, with the sign of the scene

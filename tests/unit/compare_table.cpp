@@ -1,12 +1,11 @@
 // Rows, orders and what is written of them.
 
-#include "compare/table.hpp"
-
 #include <gmock/gmock.h>
 
 #include <cmath>
 
 #include "compare/readme.hpp"
+#include "compare/table.hpp"
 
 namespace femsph::compare {
 namespace {
@@ -21,11 +20,16 @@ std::vector<std::vector<std::string>> read_csv(const std::string& text) {
   bool quoted = false;
   for (std::size_t i = 0; i < text.size(); ++i) {
     std::string& cell = lines.back().back();
-    if (quoted && text[i] == '"' && i + 1 < text.size() && text[i + 1] == '"') cell += text[++i];
-    else if (text[i] == '"') quoted = !quoted;
-    else if (!quoted && text[i] == ',') lines.back().emplace_back();
-    else if (!quoted && text.compare(i, 2, "\r\n") == 0) lines.push_back({""}), ++i;
-    else cell += text[i];
+    if (quoted && text[i] == '"' && i + 1 < text.size() && text[i + 1] == '"')
+      cell += text[++i];
+    else if (text[i] == '"')
+      quoted = !quoted;
+    else if (!quoted && text[i] == ',')
+      lines.back().emplace_back();
+    else if (!quoted && text.compare(i, 2, "\r\n") == 0)
+      lines.push_back({""}), ++i;
+    else
+      cell += text[i];
   }
   lines.pop_back();
   return lines;
@@ -54,10 +58,11 @@ TEST(Table, CsvRoundTrip) {
 }
 
 TEST(Table, ColumnsAreTheOnesPromised) {
-  EXPECT_THAT(read_csv(csv(std::vector<Row>{}))[0],
-              ElementsAre("study", "case", "method", "spacing_mm", "cells_over_height", "quantity", "value", "unit", "theory", "error_percent",
-                          "limit", "error_vs_limit_percent", "paper", "paper_error_percent", "steps", "dt_s", "cpu_s", "wall_s", "threads",
-                          "points", "ns_per_unit_step", "energy_imbalance_percent", "momentum_error", "settled", "failure"));
+  EXPECT_THAT(
+      read_csv(csv(std::vector<Row>{}))[0],
+      ElementsAre("study", "case", "method", "spacing_mm", "cells_over_height", "quantity", "value", "unit", "theory", "error_percent",
+                  "limit", "error_vs_limit_percent", "paper", "paper_error_percent", "steps", "dt_s", "cpu_s", "wall_s", "threads",
+                  "points", "ns_per_unit_step", "energy_imbalance_percent", "momentum_error", "settled", "failure"));
 }
 
 TEST(Table, NotANumberIsAnEmptyCell) { EXPECT_EQ(csv_number(std::nan("")), ""); }
@@ -76,9 +81,7 @@ TEST(Table, OrdersOfALadder) {
 }
 
 // Two meshes of one spacing (10x10 and 20x10, say) are no ladder.
-TEST(Table, NoOrderWithoutRefinement) {
-  EXPECT_TRUE(orders_of({row("a", 10, 1.1, 1), row("a", 10, 1.2, 1)}).empty());
-}
+TEST(Table, NoOrderWithoutRefinement) { EXPECT_TRUE(orders_of({row("a", 10, 1.1, 1), row("a", 10, 1.2, 1)}).empty()); }
 
 TEST(Table, LaddersOfDifferentRunsDoNotMix) {
   std::vector<Row> rows = {row("a", 4, 1.1, 1), row("a", 2, 1.05, 1)};

@@ -1,10 +1,9 @@
 // Theory values of the two bodies of the paper. Steel: E = 210 GPa, nu = 0.3, rho = 7850 kg/m^3.
 
-#include "compare/theory.hpp"
-
 #include <gmock/gmock.h>
 
 #include "compare/beam.hpp"
+#include "compare/theory.hpp"
 #include "compare_support.hpp"
 
 namespace femsph::compare {
@@ -13,7 +12,9 @@ namespace {
 using ::testing::HasSubstr;
 using namespace testing;
 
-double value(const std::string& name, const Scene& scene, Point at = {}, double time = 0) { return theory_named(name).value(scene, at, time); }
+double value(const std::string& name, const Scene& scene, Point at = {}, double time = 0) {
+  return theory_named(name).value(scene, at, time);
+}
 
 template <class F>
 std::string message_of(F&& f) {
