@@ -47,15 +47,20 @@ struct RunResult {
   std::map<std::string, Profile> profiles;  ///< sections at the last sample
   Ledger ledger;
   double momentum_error = 0;                ///< |sum of internal forces| / sum of |internal forces| at the end
+  double moment_error = 0;                  ///< the same of their moments
   Price price;
   bool settled = false;
   double spacing = 0;                       ///< m, as discretized
   int cells_over_height = 0;                ///< cells, or particles less one, along y
   std::size_t points = 0;                   ///< nodes or particles
+  std::vector<std::pair<std::string, std::string>> derived;  ///< see derived_values
 };
 
 /// Throws InputError, MotionError or std::runtime_error.
 RunResult run_scene(const Scene& scene, const Method& method, const Resolution& resolution, const RunOptions& options);
+
+/// What a run derives from its scene, for people: particles or elements, step, memory, effects.
+std::vector<std::pair<std::string, std::string>> derived_values(const March& march);
 
 /// The discretization alone (for `check` and the bench).
 std::unique_ptr<Discretization> discretize(const Scene& scene, std::size_t body, const Method& method, const Resolution& resolution);

@@ -5,6 +5,8 @@
 //   history_size<dim>      how many doubles of history a point carries (0: none is allocated),
 //   path_independent       true when stress follows from the total strain alone,
 //   stress(strain)         only if path_independent: total strain -> stress,
+//   elastic()              its elastic part (for the critical step and hourglass stiffness),
+//   thickness_stress / _strain   what happens across the plane in 2D,
 //   update(increment, stress, history)
 //                          a strain increment carries stress and history from one step to the next.
 // Strain and stress are Symmetric<T, dim>: tensor components, Pa. T is double or Pack.
@@ -52,6 +54,9 @@ struct LinearElastic {
     const Symmetric<T, dim> d = stress(increment);
     for (int k = 0; k < symmetric_size<dim>; ++k) stress_now[k] += d[k];
   }
+
+  /// The law's elastic part: what the critical step and the hourglass stiffness are made from.
+  const LinearElastic& elastic() const { return *this; }
 
   /// Speed of the fastest plane wave of the case, sqrt((lambda + 2 mu)/rho): in plane stress sqrt(E / (rho (1 - nu^2))).
   double wave_speed() const { return std::sqrt((lambda + 2 * mu) / density); }

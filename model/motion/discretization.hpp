@@ -57,7 +57,7 @@ class Discretization {
   virtual std::size_t bytes() const = 0;      ///< memory held, without the march's own vectors
 
   /// Writes the internal force (N) of displacement u (m) and velocity v (m/s), both flat, into f, and advances the state of the
-  /// material by the step dt (s). Padding stays 0. If has_viscosity(), its force goes to `viscous` instead, else that is null.
+  /// material by the step dt (s; 0 at the first call, when nothing has moved yet). Padding stays 0. If has_viscosity(), its force goes to `viscous` instead, else that is null.
   virtual void internal_force(const double* u, const double* v, double dt, double* f, double* viscous) = 0;
   /// y = K x: minus the internal force of the elastic tangent at the undeformed state. Leaves the state of the material alone.
   virtual void stiffness(const double* x, double* y) const = 0;
@@ -74,11 +74,15 @@ class Discretization {
   /// The discretization's own interpolation of a nodal field at a point of the undeformed body; weights sum to 1.
   virtual std::vector<Weight> interpolation(const Point& p) const = 0;
 
+  /// The same for stress and strain: weights of material points for their value at p.
+  virtual std::vector<Weight> material_interpolation(const Point& p) const = 0;
+
   virtual std::size_t material_points() const = 0;
   virtual Point material_position(std::size_t point) const = 0;
   /// Volume that each material point stands for, m^3.
   virtual double material_volume(std::size_t point) const = 0;
-  virtual void material_state(const double* u, MaterialState& out) const = 0;
+  /// State of the listed material points at displacement u, in their order.
+  virtual void material_state(const double* u, std::span<const std::size_t> points, MaterialState& out) const = 0;
 
   virtual Topology topology() const = 0;
 };

@@ -11,7 +11,7 @@ struct Ledger {
   double external = 0;    ///< work of loads and gravity
   double damping = 0;     ///< taken by mass-proportional or kinetic damping
   double viscosity = 0;   ///< taken by artificial viscosity
-  double initial = 0;     ///< kinetic energy at the start
+  double initial = 0;     ///< kinetic energy at the start, by the same measure
 
   double stored() const { return kinetic + strain + hourglass; }
   /// What is missing (> 0) or has come from nowhere (< 0).

@@ -4,6 +4,7 @@
 #include <functional>
 #include <memory>
 #include <optional>
+#include <stdexcept>
 #include <string>
 #include <vector>
 
@@ -21,6 +22,7 @@ struct MovingBody {
   AlignedVector<double> u, v, f;        ///< displacement (m), velocity at the last half step (m/s), force (N); flat
   AlignedVector<double> inverse_mass;   ///< flat, 1/kg; 0 where a support holds the component, so that it never moves
   AlignedVector<double> viscous;        ///< N; empty unless the discretization has viscosity
+  AlignedVector<double> mass;           ///< flat, kg; empty unless settling or damping needs it
   struct NodalLoad {
     std::size_t slot;   ///< of the flat arrays
     double force;       ///< N at factor 1
@@ -34,8 +36,9 @@ struct MarchOptions {
   std::optional<double> step;   ///< s: march with exactly this step
 };
 
-/// Called with the motion at a whole step: u and f belong to `time`, v to half a step before.
 class March;
+
+/// Called with the motion at a whole step: u and f belong to `time`, v to half a step before.
 struct MarchEvents {
   std::function<void(const March&)> sample;    ///< Scene::samples times over the duration, first and last step included
   std::function<void(const March&)> snapshot;  ///< Scene::snapshots times
@@ -50,8 +53,8 @@ class MotionError : public std::runtime_error {
 
 class March {
  public:
-  /// Discretizes nothing: takes the discretization of each of the scene's bodies, in order.
-  /// Throws MotionError when a support or load finds no point, or when nothing can move.
+  /// Takes the discretization of each of the scene's bodies, in order; `scene` must outlive the march.
+  /// Throws MotionError when a support or load finds no point, when nothing can move, or when a given step is over the limit.
   March(const Scene& scene, std::vector<std::unique_ptr<Discretization>> bodies, const MarchOptions& options);
 
   /// Marches to the scene's duration, or until settled. Throws MotionError.
@@ -60,33 +63,42 @@ class March {
   const Scene& scene() const { return scene_; }
   const std::vector<MovingBody>& bodies() const { return bodies_; }
   long step() const { return step_; }
-  double time() const { return step_ * dt_; }
+  double time() const { return double(step_) * dt_; }
   double dt() const { return dt_; }
   double critical_step() const { return critical_; }
   long planned_steps() const;
   bool settled() const { return settled_; }
   /// Energies at the current whole step, J. Costs a pass over the model: for samples, not for every step.
   Ledger ledger() const;
-  /// Largest distance of sum of momentum from what external forces explain, relative; see ledger.hpp.
+  /// |sum of internal forces| / sum of |internal forces| at the current whole step, the larger of all bodies: round-off if
+  /// the discretization keeps linear momentum.
+  double force_imbalance() const;
+  /// The same for the moments of the internal forces about the origin (in the deformed body).
+  double moment_imbalance() const;
+  Price& price() { return price_; }
   const Price& price() const { return price_; }
 
  private:
-  void forces();                ///< neighbours' gradient, law, divergence; then loads and gravity
-  void kick_and_drift();        ///< v += dt f/m, u += dt v, with whichever damping is on
-  bool has_settled();
-  void update_damping_rate();
-  void remove_kinetic_energy_at_peak();
-  void check_finite() const;
+  void place_supports_and_loads(MovingBody& body, std::size_t index);
+  void start_velocities();
+  void forces();            ///< gradient, law, divergence of every body; then loads and gravity
+  void kick_and_drift();    ///< v += dt f/m, u += dt v, with whichever damping is on
+  void watch();             ///< now and then: has it settled, is it still sound, how strong should the damping be
+  void stop_at_kinetic_peak();
+  double kinetic_energy() const;
+  template <class Take>
+  void internal_forces(const MovingBody& body, Take&& take) const;
+  [[noreturn]] void fail(const std::string& what, const std::string& advice) const;
 
   const Scene& scene_;
   std::vector<MovingBody> bodies_;
   double critical_ = 0, dt_ = 0;
-  double damping_rate_ = 0;     ///< c, 1/s
+  double damping_rate_ = 0;      ///< c, 1/s
   bool adaptive_damping_ = false, kinetic_damping_ = false, settled_ = false;
-  long step_ = 0;
+  long step_ = 0, watch_every_ = 1;
   double external_work_ = 0, damping_loss_ = 0, viscous_loss_ = 0, initial_energy_ = 0;
-  double kinetic_now_ = 0, kinetic_before_ = 0;
-  double still_since_ = -1;
+  double half_step_kinetic_ = 0;  ///< of the last half step; kinetic damping only
+  double still_since_ = -1;       ///< s; below 0: still moving
   Price price_;
 };
 

@@ -9,22 +9,28 @@
 
 namespace femsph {
 
-/// Writes DIR/fields.h5 and DIR/fields.xdmf: one grid per body and snapshot in a temporal collection.
-/// Every snapshot leaves both files complete and readable: the data are appended and flushed to fields.h5, then fields.xdmf is
-/// written to a temporary name and renamed, so that a run that stops or is killed leaves its last good state on disk.
+/// Writes DIR/fields.xdmf, which ParaView opens, and the data it refers to: DIR/fields/bodies.h5 (reference positions and cells, once)
+/// and one DIR/fields/NNNNNN.h5 per snapshot. The XDMF is a temporal collection of spatial collections, one grid per body.
+///
+/// Every commit leaves a complete set: the snapshot's file and then a longer fields.xdmf appear by renaming, and no file is touched
+/// again, so that a run that stops or is killed leaves its last good state on disk. (One growing HDF5 file cannot promise that: a
+/// file being appended to when its program is killed may not open again.)
 class FieldWriter {
  public:
-  /// Throws std::runtime_error naming the file and the reason (folder not writable, disk full).
+  /// Creates the folder and removes the fields of an earlier run from it.
+  /// Throws std::runtime_error naming the file and the reason (folder not writable), as every call below does (disk full).
   explicit FieldWriter(const std::string& folder);
   ~FieldWriter();
 
-  /// Geometry of a body; call once per body, before snapshots. FEM: its cells; SPH: vertices (Polyvertex).
+  /// Geometry of a body, which must outlive the writer; call once per body, before the first commit.
+  /// FEM: its cells; SPH: vertices (Polyvertex). Returns the body's number for snapshot().
   std::size_t add_body(const std::string& name, const Discretization& body);
 
-  /// Displacement, velocity and reference position at points; stress and strain (six components), equivalent (von Mises) stress
-  /// at material points: on SPH particles these are the points themselves; on FEM cells the mean of the cell's quadrature points.
+  /// Displacement and velocity at points; stress and strain (nine components, xx xy xz yx ..) and equivalent (von Mises) stress at
+  /// material points: on SPH particles these are the points themselves; on FEM cells the volume-weighted mean of the cell's
+  /// quadrature points (of the equivalent stress too: in a bent cell it is not that of the mean stress).
   void snapshot(std::size_t body, long step, double time, const double* u, const double* v);
-  /// Ends a snapshot of all bodies: flushes, renames.
+  /// Ends a snapshot of all bodies and puts it on disk. What was not committed is lost.
   void commit();
 
  private:

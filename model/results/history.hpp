@@ -13,6 +13,7 @@ struct Column {
 
 struct History {
   std::vector<Column> columns;  ///< the first is "time", "s"; all of one length
+  /// Returns the new column's index; throws std::logic_error if the name is taken.
   std::size_t add(std::string name, std::string unit);
   /// Throws std::out_of_range with the names that exist.
   const Column& operator[](const std::string& name) const;
@@ -29,8 +30,9 @@ struct Profile {
 };
 
 /// Writes `file` in one piece: to a temporary name, then renamed. CSV: a line "name [unit],..", 17 significant digits.
-/// Throws std::runtime_error naming the file and the system's reason.
+/// Throws std::runtime_error naming the file and the system's reason. The folder must exist.
 void write_csv(const History& history, const std::string& file);
+/// distance, the profile's columns, and its time in every row.
 void write_csv(const Profile& profile, const std::string& file);
 /// HDF5: one dataset per column with an attribute "unit".
 void write_hdf5(const History& history, const std::string& file);

@@ -2,6 +2,7 @@
 // The run record: everything needed to repeat a run and to judge it, as TOML.
 
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "model/motion/ledger.hpp"
@@ -11,6 +12,8 @@ namespace femsph {
 
 /// Version, git state, compiler, flags, libraries, machine: one "key = value" each.
 std::vector<std::pair<std::string, std::string>> provenance();
+/// Adds to what provenance() says; for parts that this room cannot see, such as the version of deal.II. A known key is overwritten.
+void add_provenance(std::string key, std::string value);
 /// "femsph 0.1.0 (git 1a2b3c4, modified)"
 std::string version_line();
 
@@ -19,24 +22,32 @@ struct RunRecord {
   std::vector<std::pair<std::string, std::string>> derived;  ///< particles, elements, critical step, effects, ..
   Ledger ledger;
   Price price;
-  std::string outcome;  ///< "finished", "settled", or the message that stopped it
+  std::string outcome;      ///< "finished", "settled", or the message that stopped it
   std::string finished_at;  ///< ISO 8601, UTC
 };
 
-/// DIR/record.toml and DIR/scene.toml (the scene as given, byte for byte).
+/// DIR/record.toml and DIR/scene.toml (the scene as given, byte for byte). Creates DIR.
+/// Throws std::runtime_error naming the file and the system's reason.
 void write_record(const RunRecord& record, const std::string& folder);
 
 /// A progress line (step, time, rate, time left) on a terminal; silent when stderr is none.
 class Progress {
  public:
   explicit Progress(std::string what);
+  /// Wipes the line, so that what is printed next starts on a clean one.
   ~Progress();
+  Progress(const Progress&) = delete;
+  /// Cheap enough for every step: shows at most five times a second. `steps` is the most that the run may take; 0: unknown.
   void show(long step, long steps, double time);
 
  private:
   std::string what_;
-  double start_, last_;
+  double start_ = 0, last_;  ///< wall seconds of the first call and of the last line
+  long first_ = -1;          ///< step of the first call
   bool terminal_, shown_ = false;
 };
+
+/// "beam: step 1200 of 4000, t = 0.0123 s, 812 steps/s, 3 s left"
+std::string progress_line(const std::string& what, long step, long steps, double time, double steps_per_second);
 
 }  // namespace femsph

@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
+#include <fstream>
 #include <stdexcept>
 #include <unordered_map>
 
@@ -63,7 +64,7 @@ std::string type_name(int type) {
   int dim, order, nodes, primary;
   std::vector<double> coordinates;
   gmsh::model::mesh::getElementProperties(type, name, dim, order, nodes, coordinates, primary);
-  return name;
+  return in_quotes(name);
 }
 
 // Gives vertices their numbers in the order of first use: unused ones are dropped.
@@ -97,20 +98,30 @@ void require_cells_of_one_kind(const std::vector<Block>& blocks, int dim, const 
                                         : "linear hexahedra (in Gmsh: transfinite or extruded recombined volumes, first order)";
   if (dim == 2 && !elements(3).empty())
     throw std::runtime_error(
-        fmt::format("{} holds {} cells in a plane scene; expected {}", in_quotes(file), type_name(elements(3)[0].type), expected));
+        fmt::format("{} holds cells of type {} in a plane scene; expected {}", in_quotes(file), type_name(elements(3)[0].type), expected));
   for (const Block& block : blocks)
     if (block.type != (dim == 2 ? gmsh_quad : gmsh_hex))
-      throw std::runtime_error(fmt::format("{} holds {} cells; expected only {}", in_quotes(file), type_name(block.type), expected));
+      throw std::runtime_error(
+          fmt::format("{} holds cells of type {}; expected only {}", in_quotes(file), type_name(block.type), expected));
   if (blocks.empty())
     throw std::runtime_error(fmt::format("{} holds no {}-dimensional cells; expected {}", in_quotes(file), dim, expected));
 }
 
-void require_finite_and_plane(const CellMesh& mesh, const std::string& file) {
-  for (const Point& p : mesh.vertices) {
-    const double size = std::max({std::abs(p[0]), std::abs(p[1]), std::abs(p[2])});
-    if (!(size < 1e60)) throw std::runtime_error(fmt::format("{} has a vertex that is not finite; expected coordinates", in_quotes(file)));
-    if (mesh.dim == 2 && p[2] != 0)
+void require_finite(const CellMesh& mesh, const std::string& file) {
+  const auto usable = [](double x) { return std::abs(x) < 1e60; };  // false for nan; see to_si
+  for (const Point& p : mesh.vertices)
+    if (!std::all_of(p.begin(), p.end(), usable))
+      throw std::runtime_error(fmt::format("{} has a vertex that is not finite; expected coordinates", in_quotes(file)));
+}
+
+// CAD kernels leave rounding in z, which must not enter the plane's kinematics.
+void flatten(CellMesh& mesh, const std::string& file) {
+  double size = 0;
+  for (const Point& p : mesh.vertices) size = std::max({size, std::abs(p[0]), std::abs(p[1])});
+  for (Point& p : mesh.vertices) {
+    if (std::abs(p[2]) > 1e-9 * size)
       throw std::runtime_error(fmt::format("{} leaves the plane z = 0; expected a plane mesh in x and y", in_quotes(file)));
+    p[2] = 0;
   }
 }
 
@@ -145,7 +156,8 @@ void read_cells(CellMesh& mesh, Vertices& vertices, const std::string& file) {
       for (int v = 0; v < corners; ++v) cell[around_to_lexicographic[v]] = vertices.use(block.nodes[first + v], mesh);
       mesh.cells.push_back(cell);
     }
-  require_finite_and_plane(mesh, file);
+  require_finite(mesh, file);
+  if (mesh.dim == 2) flatten(mesh, file);
   for (std::size_t i = 0; i < mesh.cells.size(); ++i) orient(mesh, mesh.cells[i], i, file);
 }
 
@@ -163,8 +175,9 @@ void read_facets(CellMesh& mesh, int entity, int group, const Vertices& vertices
   const int corners = 1 << (mesh.dim - 1);
   for (const Block& block : elements(mesh.dim - 1, entity)) {
     if (block.type != (mesh.dim == 2 ? gmsh_line : gmsh_quad))
-      throw std::runtime_error(fmt::format("physical group {} of {} holds {} facets; expected linear {}", in_quotes(mesh.groups[group]),
-                                           in_quotes(file), type_name(block.type), mesh.dim == 2 ? "lines" : "quadrilaterals"));
+      throw std::runtime_error(fmt::format("physical group {} of {} holds facets of type {}; expected linear {}",
+                                           in_quotes(mesh.groups[group]), in_quotes(file), type_name(block.type),
+                                           mesh.dim == 2 ? "lines" : "quadrilaterals"));
     for (std::size_t first = 0; first + corners <= block.nodes.size(); first += corners) {
       CellMesh::Facet facet{{}, group};
       for (int v = 0; v < corners; ++v) facet.vertices[around_to_lexicographic[v]] = vertices.used(block.nodes[first + v]);
@@ -191,12 +204,16 @@ void read_groups(CellMesh& mesh, const Vertices& vertices, const std::string& fi
   }
 }
 
-// Gmsh would run a .geo script, or wait for a pipe.
+// Gmsh takes whatever it does not recognise as a .geo script and runs it, so only the beginnings of the .msh format pass.
 void require_msh_file(const std::string& file) {
   std::error_code status;
   if (!std::filesystem::exists(file, status))
     throw std::runtime_error(fmt::format("no such file {}; expected a .msh file of Gmsh", in_quotes(file)));
-  if (!std::filesystem::is_regular_file(file, status) || std::filesystem::path(file).extension() != ".msh")
+  std::string start(20, ' ');
+  if (std::filesystem::is_regular_file(file, status))
+    std::ifstream(file, std::ios::binary).read(start.data(), std::streamsize(start.size()));
+  const bool is_msh = start.starts_with("$MeshFormat") || start.starts_with("$Comments") || start.starts_with("$NOD");
+  if (!is_msh || std::filesystem::path(file).extension() != ".msh")
     throw std::runtime_error(fmt::format("{} is not a .msh file; expected a mesh saved by Gmsh", in_quotes(file)));
 }
 

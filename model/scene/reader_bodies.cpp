@@ -47,8 +47,7 @@ Body read_body(const std::string& name, Fields& fields, const Reading& reading) 
   if (!body.material.empty() && !materials.empty() && !reading.scene.materials.count(body.material))
     fields.fault("material", fmt::format("unknown material {}; expected {}{}", in_quotes(body.material), one_of(materials),
                                          did_you_mean(body.material, materials)));
-  // Keys of a shape that could not be told cannot be called unknown.
-  if (body.shape || !reading.dim || fields.has("shape")) fields.done();
+  fields.done();
   return body;
 }
 

@@ -32,7 +32,7 @@ ShapePointer read_mesh(Fields& body, int dim, const std::filesystem::path& folde
   const auto unit = read_length_unit(body);
   if (!file || !unit || !dim) return nullptr;
   try {
-    return std::make_shared<MeshShape>(read_gmsh((folder / *file).string(), dim, *unit), *file);
+    return std::make_shared<MeshShape>(read_gmsh((folder / *file).lexically_normal().string(), dim, *unit), *file);
   } catch (const std::runtime_error& e) {
     body.fault("file", e.what());
     return nullptr;
@@ -49,6 +49,7 @@ const std::vector<std::pair<std::string, Reader>> shapes = {{"box", read_box}, {
 ShapePointer read_shape(Fields& body, int dim, const std::filesystem::path& folder) {
   const auto read = body.choice<Reader>("shape", Need::required, shapes);
   if (read) return (*read)(body, dim, folder);
+  body.accept_rest();
   return nullptr;
 }
 

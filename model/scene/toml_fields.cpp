@@ -124,7 +124,7 @@ std::optional<double> Fields::read_quantity(const toml::node& node, const char* 
   try {
     const double value = to_si(node.as_string()->get(), dimension);
     if (has_sign(value, sign)) return value;
-    faults_->add(source_of(node), fmt::format("\"{}\" is {}; expected {}, {}", key, node.as_string()->get(), dimension.name,
+    faults_->add(source_of(node), fmt::format("\"{}\" is {}; expected {} {}", key, node.as_string()->get(), dimension.name,
                                               sign == Sign::positive ? "greater than zero" : "zero or greater"));
   } catch (const std::invalid_argument& e) {
     faults_->add(source_of(node), fmt::format("\"{}\": {}", key, e.what()));
@@ -208,6 +208,10 @@ std::vector<std::pair<std::string, Fields>> Fields::named_tables(const char* key
   const auto place = [](const auto& entry) { return std::pair(entry.second.source().line, entry.second.source().column); };
   std::sort(all.begin(), all.end(), [&](const auto& a, const auto& b) { return place(a) < place(b); });
   return all;
+}
+
+void Fields::accept_rest() {
+  for (const auto& [key, value] : *table_) asked_.emplace_back(key.str());
 }
 
 void Fields::done() {

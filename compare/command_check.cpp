@@ -1,0 +1,88 @@
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include "compare/commands.hpp"
+#include "model/numerics/parallel.hpp"
+#include "model/results/price.hpp"
+#include "model/scene/reader.hpp"
+
+namespace femsph::compare {
+
+namespace {
+
+void print_scene(const Scene& scene) {
+  const auto line = [](const std::string& key, const std::string& value) { fmt::print("  {:<24} {}\n", key, value); };
+  fmt::print("{}: {}\n", scene.file, scene.title);
+  line("plane", scene.plane == Plane::stress ? "plane stress" : scene.plane == Plane::strain ? "plane strain" : "none: three-dimensional");
+  for (const Body& body : scene.bodies) {
+    const Material& m = scene.material_of(body);
+    line("body " + body.name, fmt::format("{}, {} (E {:.4g} GPa, nu {:g}, rho {:g} kg/m3)", body.shape->describe(), m.name, m.young / 1e9, m.poisson, m.density));
+    line("mass of " + body.name, fmt::format("{:.6g} kg", body.shape->measure() * (scene.dim() == 2 ? body.thickness : 1.0) * m.density));
+  }
+  line("supports, loads", fmt::format("{}, {}", scene.supports.size(), scene.loads.size()));
+  line("probes, sections", fmt::format("{}, {}", scene.probes.size(), scene.sections.size()));
+  line("duration", fmt::format("{:g} ms{}", scene.duration * 1e3, scene.settling ? " at most: until settled" : ""));
+}
+
+std::string effects_line(const std::vector<std::string>& on) {
+  std::string text;
+  for (const std::string& e : on) text += (text.empty() ? "" : ", ") + e;
+  return text.empty() ? "none" : text;
+}
+
+/// Every effect of a scene that this one does not ask for.
+std::string effects_off(const Scene& scene) {
+  std::string text;
+  const auto off = [&](bool on, const char* name) {
+    if (!on) text += (text.empty() ? "" : ", ") + std::string(name);
+  };
+  off(scene.large_motion, "finite rotation");
+  off(!scene.initial_velocities.empty(), "initial velocity");
+  off(scene.gravity.has_value(), "gravity");
+  off(scene.damping.has_value(), "damping");
+  off(scene.settling.has_value(), "settling");
+  return text.empty() ? "none" : text;
+}
+
+/// Seconds of CPU for one step, from a few of them.
+double seconds_per_step(const Scene& scene, const Method& method, const Resolution& resolution, const MarchOptions& options, double step) {
+  Scene brief = scene;
+  brief.duration = 20 * step;
+  brief.samples = 1;
+  brief.snapshots = 0;
+  RunOptions quiet;
+  quiet.march = options;
+  const RunResult r = run_scene(brief, method, resolution, quiet);
+  return r.price.cpu / double(std::max(1L, r.price.steps));
+}
+
+}  // namespace
+
+int check_command(const RunCommand& command) {
+  set_threads(command.threads);
+  const Scene scene = read_scene(command.scene);
+  print_scene(scene);
+  fmt::print("  {:<24} {}\n", "effects on", effects_line(scene.effects()));
+  fmt::print("  {:<24} {}\n", "effects off", effects_off(scene));
+  if (command.solver.empty()) {
+    fmt::print("for particles or elements, step, memory and time, add --solver and --spacing\n");
+    return 0;
+  }
+  const Method method = method_of(command);
+  const Resolution resolution = resolution_of(command);
+  std::vector<std::unique_ptr<Discretization>> bodies;
+  for (std::size_t b = 0; b < scene.bodies.size(); ++b) bodies.push_back(discretize(scene, b, method, resolution));
+  MarchOptions options;
+  options.safety = command.safety;
+  const March march(scene, std::move(bodies), options);
+  fmt::print("by {}:\n", method.name);
+  for (const auto& [key, value] : derived_values(march))
+    if (key != "effects on") fmt::print("  {:<24} {}\n", key, value);
+  const double each = seconds_per_step(scene, method, resolution, options, march.dt());
+  fmt::print("  {:<24} {:.2g} s of CPU ({:.3g} ns a unit and step, measured over 20 steps)\n", "time", each * double(march.planned_steps()),
+             1e9 * each / double(march.price().units));
+  return 0;
+}
+
+}  // namespace femsph::compare

@@ -1,0 +1,42 @@
+#pragma once
+// What the command line asks for, and the functions that do it.
+
+#include <array>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "compare/run.hpp"
+
+namespace femsph::compare {
+
+/// `femsph run`, and the options it shares with `femsph check`.
+struct RunCommand {
+  std::string scene;
+  std::string solver;  ///< sph, fem, or a method's name
+  std::optional<std::string> spacing;
+  std::vector<int> divisions;
+  std::optional<double> smoothing;
+  std::optional<std::string> kernel, mass;
+  std::vector<double> viscosity;  ///< alpha, beta, gamma
+  std::optional<double> hourglass;
+  double safety = 0.9;
+  int threads = 1;
+  std::string out;
+  bool fields = true;
+  std::string command;  ///< the command line, for the record
+};
+
+/// Returns the exit code. Throws what run_scene throws.
+int run_command(const RunCommand& command);
+/// Reads the scene; with a solver and a resolution also discretizes it, and prints what follows: sizes, critical step, memory, time.
+int check_command(const RunCommand& command);
+
+/// The method and resolution that a command line asks for. Throws std::runtime_error with "did you mean".
+Method method_of(const RunCommand& command);
+Resolution resolution_of(const RunCommand& command);
+
+/// Version, git state, compiler, libraries: a line each.
+std::string version_text();
+
+}  // namespace femsph::compare

@@ -1,0 +1,100 @@
+// The program `femsph`: one subcommand a file (command_*.cpp).
+
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <cstdio>
+#include <thread>
+
+#include "compare/commands.hpp"
+#include "compare/study.hpp"
+#include "model/motion/march.hpp"
+#include "model/results/record.hpp"
+#include "model/scene/faults.hpp"
+
+namespace {
+
+using namespace femsph;
+using namespace femsph::compare;
+
+/// Exit codes: 0 done; 1 bad input; 2 bad command line; 3 a run that went wrong; 4 the machine (files, memory).
+enum Exit { done = 0, bad_input = 1, bad_command = 2, bad_run = 3, bad_machine = 4 };
+
+void add_method_options(CLI::App* command, RunCommand& c) {
+  command->add_option("scene", c.scene, "scene file (TOML)")->required();
+  command->add_option("--solver", c.solver, "sph (sph-corrected) or fem (fem-full), or a method's full name: see `femsph list`")->required();
+  command->add_option("--spacing", c.spacing, "particle spacing, or edge of a cell: \"10 mm\"");
+  command->add_option("--divisions", c.divisions, "cells along each axis, in place of a spacing: 100,10")->delimiter(',')->expected(1, 3);
+  command->add_option("--smoothing", c.smoothing, "SPH: smoothing length h over the spacing d (default 1)");
+  command->add_option("--kernel", c.kernel, "SPH: cubic-spline (default) or wendland-c2");
+  command->add_option("--mass", c.mass, "classic SPH: share, full or trapezoid");
+  command->add_option("--viscosity", c.viscosity, "classic SPH: alpha,beta,gamma of the artificial viscosity (eq. 5)")->delimiter(',')->expected(3);
+  command->add_option("--hourglass", c.hourglass, "coefficient of the hourglass control (fem-one-point, sph-corrected)");
+  command->add_option("--safety", c.safety, "step = safety x critical step")->capture_default_str();
+  command->add_option("--threads", c.threads, "threads of every loop")->capture_default_str();
+}
+
+int run_program(int argc, char** argv) {
+  CLI::App app("femsph compares SPH and explicit FEM for solid dynamics: one scene, two discretizations, one table.");
+  app.set_version_flag("--version", [] { return version_text(); });
+  app.require_subcommand(1);
+  const int all = int(std::max(1u, std::thread::hardware_concurrency()));
+
+  StudyCommand study;
+  study.threads = all;
+  CLI::App* study_app = app.add_subcommand("study", "run a study: matched cases, a table of errors and prices, figures");
+  study_app->add_option("name", study.name, "name of a folder in studies/, or path of a study file")->required();
+  study_app->add_option("--out", study.out, "folder for results; the study writes into its own subfolder")->capture_default_str();
+  study_app->add_flag("--quick", study.quick, "the short form: coarse cases only");
+  study_app->add_flag("--update-readme", study.update_readme, "write the table into the study's README.md");
+  study_app->add_option("--threads", study.threads, "threads of every loop")->capture_default_str();
+
+  RunCommand run;
+  run.threads = all;
+  CLI::App* run_app = app.add_subcommand("run", "run one scene by one method; write fields, histories and the run record");
+  add_method_options(run_app, run);
+  run_app->add_option("--out", run.out, "folder for results")->required();
+  run_app->add_flag("!--no-fields", run.fields, "write no fields (histories and record only)");
+
+  RunCommand check;
+  check.threads = all;
+  CLI::App* check_app = app.add_subcommand("check", "read a scene and print what follows from it; runs nothing");
+  add_method_options(check_app, check);
+  check_app->get_option("--solver")->required(false);
+
+  CLI::App* list_app = app.add_subcommand("list", "list studies and methods");
+
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::ParseError& error) {
+    return app.exit(error) == 0 ? done : bad_command;
+  }
+  for (int i = 0; i < argc; ++i) run.command += (i ? " " : "") + std::string(argv[i]);
+  study.command = run.command;
+  study.program = argv[0];
+  if (*study_app) return study_command(study);
+  if (*run_app) return run_command(run);
+  if (*check_app) return check_command(check);
+  if (*list_app) return list_command(argv[0]);
+  return bad_command;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  try {
+    return run_program(argc, argv);
+  } catch (const femsph::InputError& error) {
+    fmt::print(stderr, "{}\n", error.what());
+    return bad_input;
+  } catch (const femsph::MotionError& error) {
+    fmt::print(stderr, "femsph: {}\n", error.what());
+    return bad_run;
+  } catch (const std::bad_alloc&) {
+    fmt::print(stderr, "femsph: out of memory; take a coarser spacing (`femsph check` estimates the memory)\n");
+    return bad_machine;
+  } catch (const std::exception& error) {
+    fmt::print(stderr, "femsph: {}\n", error.what());
+    return bad_machine;
+  }
+}

@@ -1,0 +1,152 @@
+#include "compare/run.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <ctime>
+
+#include "model/motion/recorder.hpp"
+#include "model/results/fields.hpp"
+#include "model/results/record.hpp"
+
+namespace femsph::compare {
+
+namespace {
+
+/// Cells along each side of the body's bounding box.
+std::array<int, 3> divisions_of(const Shape& shape, const Resolution& resolution) {
+  std::array<int, 3> cells{1, 1, 1};
+  for (int a = 0; a < shape.dim(); ++a) {
+    const double length = shape.upper()[a] - shape.lower()[a];
+    const double n = resolution.divisions[a] > 0 ? resolution.divisions[a] : std::round(length / resolution.spacing);
+    if (!(n >= 1)) throw std::runtime_error(fmt::format("a spacing of {:g} mm does not fit a body {:g} mm long along {}", resolution.spacing * 1e3, length * 1e3, "xyz"[a]));
+    cells[a] = int(std::min(n, 1e9));
+  }
+  return cells;
+}
+
+double height_spacing(const Shape& shape, const std::array<int, 3>& cells) { return (shape.upper()[1] - shape.lower()[1]) / cells[1]; }
+
+std::string utc_now() {
+  const std::time_t now = std::time(nullptr);
+  char text[32];
+  std::strftime(text, sizeof text, "%Y-%m-%dT%H:%M:%SZ", std::gmtime(&now));
+  return text;
+}
+
+/// What a run leaves in its folder: fields as it goes, histories and the record at its end, however it ends.
+class Output {
+ public:
+  Output(const Scene& scene, const Method& method, const RunOptions& options, const March& march) : options_(options), folder_(*options.folder) {
+    record_.scene_file = scene.file;
+    record_.scene_text = scene.text;
+    record_.method = method.name;
+    record_.command = options.command;
+    record_.derived = derived_values(march);
+    if (!options.fields) return;
+    fields_ = std::make_unique<FieldWriter>(folder_);
+    for (const MovingBody& body : march.bodies()) ids_.push_back(fields_->add_body(body.name, *body.discretization));
+  }
+  void snapshot(const March& march) {
+    if (!fields_) return;
+    for (std::size_t b = 0; b < ids_.size(); ++b)
+      fields_->snapshot(ids_[b], march.step(), march.time(), march.bodies()[b].u.data(), march.bodies()[b].v.data());
+    fields_->commit();
+  }
+  void finish(const March& march, const Recorder& recorder, const std::string& outcome, bool whole) {
+    write_csv(recorder.history(), folder_ + "/history.csv");
+    write_hdf5(recorder.history(), folder_ + "/history.h5");
+    if (whole) {
+      for (const auto& [name, profile] : recorder.profiles(march)) write_csv(profile, folder_ + "/section_" + name + ".csv");
+      record_.ledger = march.ledger();
+    }
+    record_.price = march.price();
+    record_.outcome = outcome;
+    record_.finished_at = utc_now();
+    write_record(record_, folder_);
+  }
+
+ private:
+  const RunOptions& options_;
+  std::string folder_;
+  RunRecord record_;
+  std::unique_ptr<FieldWriter> fields_;
+  std::vector<std::size_t> ids_;
+};
+
+}  // namespace
+
+std::unique_ptr<Discretization> discretize(const Scene& scene, std::size_t body, const Method& method, const Resolution& resolution) {
+  const Shape& shape = *scene.bodies[body].shape;
+  const bool own_cells = method.is_fem() && shape.cells();
+  if (!own_cells && !(resolution.spacing > 0) && resolution.divisions[0] <= 0)
+    throw std::runtime_error("how fine? give a spacing, such as --spacing \"10 mm\"");
+  if (method.is_fem()) {
+    fem::Options options = std::get<fem::Options>(method.options);
+    if (!own_cells) options.divisions = divisions_of(shape, resolution);
+    return fem::discretize(scene, body, options);
+  }
+  sph::Options options = std::get<sph::Options>(method.options);
+  options.spacing = resolution.spacing > 0 ? resolution.spacing : height_spacing(shape, divisions_of(shape, resolution));
+  return sph::discretize(scene, body, options);
+}
+
+std::vector<std::pair<std::string, std::string>> derived_values(const March& march) {
+  std::vector<std::pair<std::string, std::string>> out;
+  for (const MovingBody& body : march.bodies()) {
+    out.emplace_back("body " + body.name, body.discretization->describe());
+    out.emplace_back(body.name + " " + body.discretization->unit_name() + "s", fmt::format("{}", body.discretization->units()));
+    out.emplace_back(body.name + " wave speed", fmt::format("{:.6g} m/s", body.discretization->wave_speed()));
+  }
+  out.emplace_back("critical step", fmt::format("{:.6g} s", march.critical_step()));
+  out.emplace_back("step", fmt::format("{:.6g} s", march.dt()));
+  out.emplace_back("planned steps", fmt::format("{}{}", march.planned_steps(), march.scene().settling ? " at most, fewer once settled" : ""));
+  out.emplace_back("memory", fmt::format("{:.3g} MB", double(march.price().bytes) / 1e6));
+  std::string effects;
+  for (const std::string& e : march.scene().effects()) effects += (effects.empty() ? "" : ", ") + e;
+  out.emplace_back("effects on", effects.empty() ? "none" : effects);
+  return out;
+}
+
+RunResult run_scene(const Scene& scene, const Method& method, const Resolution& resolution, const RunOptions& options) {
+  const double start = wall_seconds();
+  std::vector<std::unique_ptr<Discretization>> bodies;
+  for (std::size_t b = 0; b < scene.bodies.size(); ++b) bodies.push_back(discretize(scene, b, method, resolution));
+  const double ready = wall_seconds();
+  March march(scene, std::move(bodies), options.march);
+  march.price().add("setup", ready - start);
+  Recorder recorder(march);
+  std::unique_ptr<Output> output;
+  if (options.folder) output = std::make_unique<Output>(scene, method, options, march);
+  Progress progress(options.label.empty() ? method.name : options.label);
+
+  MarchEvents events;
+  events.sample = [&](const March& m) { recorder.sample(m); };
+  if (output) events.snapshot = [&](const March& m) { output->snapshot(m); };
+  events.progress = [&](const March& m) { progress.show(m.step(), m.planned_steps(), m.time()); };
+  try {
+    march.run(events);
+  } catch (const MotionError& error) {
+    if (output) output->finish(march, recorder, error.what(), false);
+    throw;
+  }
+  if (output) output->finish(march, recorder, march.settled() ? "settled" : "finished", true);
+
+  RunResult r;
+  r.history = recorder.history();
+  r.profiles = recorder.profiles(march);
+  r.ledger = march.ledger();
+  r.momentum_error = march.force_imbalance();
+  r.moment_error = march.moment_imbalance();
+  r.price = march.price();
+  r.settled = march.settled();
+  r.derived = derived_values(march);
+  for (const MovingBody& body : march.bodies()) r.points += body.discretization->layout().points;
+  const Shape& first = *scene.bodies[0].shape;
+  if (first.cells() && method.is_fem()) r.spacing = march.bodies()[0].discretization->spacing();
+  else r.spacing = height_spacing(first, divisions_of(first, resolution));
+  r.cells_over_height = int(std::lround((first.upper()[1] - first.lower()[1]) / r.spacing));
+  return r;
+}
+
+}  // namespace femsph::compare

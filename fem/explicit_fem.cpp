@@ -1,0 +1,167 @@
+#include "fem/explicit_fem.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <stdexcept>
+
+#include "fem/geometry.hpp"
+#include "model/numerics/least_squares.hpp"
+#include "model/numerics/parallel.hpp"
+
+namespace femsph::fem {
+
+namespace {
+
+const char* name_of(Element element) {
+  switch (element) {
+    case Element::full: return "full integration";
+    case Element::sri: return "selective reduced integration";
+    case Element::one_point: return "one point with hourglass control";
+    case Element::assumed_strain: return "assumed strain";
+  }
+  return "";
+}
+
+Mesh checked_mesh(const Scene& scene, const Shape& shape, const Options& options) {
+  if (shape.dim() != scene.dim())
+    throw std::runtime_error("the scene is " + std::to_string(scene.dim()) + "D but its body is " + shape.describe());
+  Mesh mesh = make_mesh(shape, options.divisions, options.distortion);
+  for (std::size_t c = 0; c < mesh.cell_count(); ++c)
+    for (int q = 0; q < mesh.corners(); ++q)
+      if (!(jacobian(mesh, c, q) > 0)) {
+        const Point p = map_point(mesh, c, {});
+        throw std::runtime_error("a cell at (" + std::to_string(p[0]) + ", " + std::to_string(p[1]) + ", " + std::to_string(p[2]) +
+                                 ") m is folded: its volume is not positive everywhere");
+      }
+  return mesh;
+}
+
+Layout interleaved(const Mesh& mesh, const Batches& batches) {
+  const std::size_t dim = static_cast<std::size_t>(mesh.dim);
+  return {mesh.node_count(), mesh.dim, dim, 1, 0, round_up(batches.slots * dim, lanes)};
+}
+
+}  // namespace
+
+std::unique_ptr<CellLoop> make_loop(Element element, const LoopInput& in) {
+  switch (element) {
+    case Element::full: return make_full_loop(in);
+    case Element::sri: return make_sri_loop(in);
+    case Element::one_point: return make_one_point_loop(in);
+    case Element::assumed_strain: return make_assumed_strain_loop(in);
+  }
+  throw std::runtime_error("unknown element");
+}
+
+ExplicitFem::ExplicitFem(const Scene& scene, std::size_t body, const Options& options)
+    : shape_(scene.bodies.at(body).shape),
+      element_(options.element),
+      thickness_(scene.dim() == 2 ? scene.bodies[body].thickness : 1.0),
+      mesh_(checked_mesh(scene, *shape_, options)),
+      batches_(mesh_),
+      layout_(interleaved(mesh_, batches_)),
+      spacing_(shortest_edge(mesh_)),
+      locator_(mesh_) {
+  const Material& material = scene.material_of(scene.bodies[body]);
+  const Law law = material.law(scene.plane);
+  mass_ = lumped_mass(mesh_, material.density, thickness_);
+  wave_speed_ = std::visit([](const auto& l) { return l.wave_speed(); }, law);
+  loop_ = make_loop(element_, {&mesh_, &batches_, law, thickness_, options.hourglass, scene.large_motion, options.scalar_kernel});
+}
+
+std::string ExplicitFem::describe() const {
+  return "explicit FEM, " + std::to_string(mesh_.cell_count()) + (mesh_.dim == 2 ? " quadrilaterals, " : " hexahedra, ") + name_of(element_);
+}
+
+std::size_t ExplicitFem::bytes() const {
+  return sizeof(double) * (mesh_.nodes.capacity() + mass_.capacity()) + sizeof(int) * (mesh_.cells.capacity() + mesh_.vertex.capacity()) +
+         batches_.bytes() + locator_.bytes() + loop_->bytes();
+}
+
+void ExplicitFem::internal_force(const double* u, const double*, double, double* f, double*) {
+  std::fill(f, f + layout_.size, 0.0);
+  loop_->add_force(u, f);
+  batches_.sum_ghosts(f, mesh_.dim);
+}
+
+void ExplicitFem::stiffness(const double* x, double* y) const {
+  std::fill(y, y + layout_.size, 0.0);
+  loop_->add_stiffness(x, y);
+  batches_.sum_ghosts(y, mesh_.dim);
+}
+
+std::vector<Weight> ExplicitFem::points_of(const Place& place) const { return place_weights(mesh_, *shape_, place, mass_, 1e-6 * spacing_); }
+
+std::vector<Weight> ExplicitFem::interpolation(const Point& p) const {
+  const auto [cell, xi] = locator_.find(p);
+  const auto N = shape_functions(mesh_.dim, xi);
+  std::vector<Weight> r;
+  for (int a = 0; a < mesh_.corners(); ++a)
+    if (N[a] != 0) r.push_back({static_cast<std::size_t>(mesh_.cell(cell)[a]), N[a]});
+  return r;
+}
+
+Point ExplicitFem::material_position(std::size_t point) const {
+  const std::size_t n = static_cast<std::size_t>(loop_->points_per_cell());
+  return map_point(mesh_, point / n, n == 1 ? Point{} : gauss_coordinates(mesh_.dim, static_cast<int>(point % n)));
+}
+
+double ExplicitFem::material_volume(std::size_t point) const {
+  const std::size_t n = static_cast<std::size_t>(loop_->points_per_cell());
+  if (!loop_->equal_volumes()) return thickness_ * jacobian(mesh_, point / n, static_cast<int>(point % n));
+  double v = 0;
+  for (int q = 0; q < mesh_.corners(); ++q) v += jacobian(mesh_, point / n, q);
+  return thickness_ * v / static_cast<double>(n);
+}
+
+std::vector<Weight> ExplicitFem::material_interpolation(const Point& p) const {
+  const std::size_t n = static_cast<std::size_t>(loop_->points_per_cell());
+  if (n == 1) {
+    std::vector<Point> centres(mesh_.cell_count());
+    for (std::size_t c = 0; c < centres.size(); ++c) centres[c] = map_point(mesh_, c, {});
+    return least_squares_weights(centres, mesh_.dim, p, 1.6 * spacing_, 1e-6 * spacing_);
+  }
+  const std::vector<Locator::Found> cells = locator_.find_all(p);
+  std::vector<Weight> r;
+  for (const auto& [cell, xi] : cells) {
+    Point stretched{};  // the points are the corners of a cell 1/sqrt(3) the size
+    for (int d = 0; d < mesh_.dim; ++d) stretched[d] = std::sqrt(3.0) * xi[d];
+    const auto N = shape_functions(mesh_.dim, stretched);
+    for (std::size_t q = 0; q < n; ++q) r.push_back({cell * n + q, N[q] / static_cast<double>(cells.size())});
+  }
+  return r;
+}
+
+void ExplicitFem::material_state(const double* u, std::span<const std::size_t> points, MaterialState& out) const {
+  const std::size_t n = static_cast<std::size_t>(loop_->points_per_cell());
+  out.stress.resize(points.size());
+  out.strain.resize(points.size());
+  std::vector<Sample> cell;
+  std::size_t known = std::numeric_limits<std::size_t>::max();
+  for (std::size_t k = 0; k < points.size(); ++k) {
+    if (points[k] / n != known) {
+      known = points[k] / n;
+      cell.clear();
+      loop_->samples(u, known, known + 1, [&](const Sample& s) { cell.push_back(s); });
+    }
+    out.stress[k] = cell[points[k] % n].stress;
+    out.strain[k] = cell[points[k] % n].strain;
+  }
+}
+
+Topology ExplicitFem::topology() const {
+  constexpr std::array<int, 8> vtk{0, 1, 3, 2, 4, 5, 7, 6};  // lexicographic corner of VTK's n-th point
+  Topology t;
+  t.kind = mesh_.dim == 2 ? Topology::Kind::quadrilaterals : Topology::Kind::hexahedra;
+  t.cells.resize(mesh_.cell_count());
+  for (std::size_t c = 0; c < mesh_.cell_count(); ++c)
+    for (int a = 0; a < mesh_.corners(); ++a) t.cells[c][a] = static_cast<std::size_t>(mesh_.cell(c)[vtk[a]]);
+  return t;
+}
+
+std::unique_ptr<Discretization> discretize(const Scene& scene, std::size_t body, const Options& options) {
+  return std::make_unique<ExplicitFem>(scene, body, options);
+}
+
+}  // namespace femsph::fem

@@ -1,0 +1,61 @@
+#pragma once
+// The finite element discretization that the march sees.
+
+#include <span>
+#include <vector>
+
+#include "fem/batches.hpp"
+#include "fem/cell_loop.hpp"
+#include "fem/fem.hpp"
+#include "fem/locator.hpp"
+#include "fem/mesh.hpp"
+
+namespace femsph::fem {
+
+class ExplicitFem : public Discretization {
+ public:
+  ExplicitFem(const Scene& scene, std::size_t body, const Options& options);
+
+  std::string describe() const override;
+  const Layout& layout() const override { return layout_; }
+  std::span<const double> mass() const override { return mass_; }
+  Point position(std::size_t point) const override { return mesh_.node(point); }
+  std::size_t units() const override { return mesh_.cell_count(); }
+  std::string unit_name() const override { return "element"; }
+  double spacing() const override { return spacing_; }
+  double wave_speed() const override { return wave_speed_; }
+  std::size_t bytes() const override;
+
+  void internal_force(const double* u, const double* v, double dt, double* f, double* viscous) override;
+  void stiffness(const double* x, double* y) const override;
+  double strain_energy(const double* u) const override { return loop_->energies(u).strain; }
+  double hourglass_energy(const double* u) const override { return element_ == Element::one_point ? loop_->energies(u).hourglass : 0.0; }
+
+  std::vector<Weight> points_of(const Place& place) const override;
+  std::vector<Weight> interpolation(const Point& p) const override;
+
+  std::size_t material_points() const override { return mesh_.cell_count() * static_cast<std::size_t>(loop_->points_per_cell()); }
+  Point material_position(std::size_t point) const override;
+  double material_volume(std::size_t point) const override;
+  /// Four or eight points a cell: each cell at p carries its values out to p, multilinear through its points, and the mean of these
+  /// cells counts. One point a cell: a linear fit to the cells around.
+  std::vector<Weight> material_interpolation(const Point& p) const override;
+  void material_state(const double* u, std::span<const std::size_t> points, MaterialState& out) const override;
+  Topology topology() const override;
+
+ protected:
+  std::shared_ptr<const Shape> shape_;
+  Element element_;
+  double thickness_;
+  Mesh mesh_;
+  Batches batches_;
+
+ private:
+  Layout layout_;
+  std::vector<double> mass_;
+  double spacing_, wave_speed_;
+  Locator locator_;
+  std::unique_ptr<CellLoop> loop_;
+};
+
+}  // namespace femsph::fem

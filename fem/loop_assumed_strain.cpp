@@ -1,0 +1,8 @@
+#include "fem/cell_loop_impl.hpp"
+#include "fem/assumed_strain.hpp"
+
+namespace femsph::fem {
+
+std::unique_ptr<CellLoop> make_assumed_strain_loop(const LoopInput& in) { return choose_loop<AssumedStrainElement>(in); }
+
+}  // namespace femsph::fem

@@ -1,0 +1,219 @@
+// The flowchart of an explicit run (fig. 1 of the paper), for both solvers:
+//
+//   forces -> (sample, snapshot) -> kick and drift -> next step
+//
+// with   v(n+1/2) = v(n-1/2) + dt M^-1 f(u(n)),   u(n+1) = u(n) + dt v(n+1/2)   (leap-frog, or central difference).
+
+#include "model/motion/march.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "model/motion/critical_step.hpp"
+#include "model/numerics/parallel.hpp"
+
+namespace femsph {
+
+void March::run(const MarchEvents& events) {
+  const long planned = planned_steps();
+  const auto every = [&](int count) { return count > 0 ? std::max(1L, planned / count) : planned + 1; };
+  const long sample_every = every(scene_.samples), snapshot_every = every(scene_.snapshots);
+  watch_every_ = std::clamp(planned / 300, 25L, 1000L);
+  const double cpu = cpu_seconds(), wall = wall_seconds();
+  while (true) {
+    {
+      forces();
+      if (step_ == 0) start_velocities();
+      if (kinetic_damping_) stop_at_kinetic_peak();
+      if (step_ % watch_every_ == 0) watch();
+    }
+    const bool last = settled_ || step_ >= planned;
+    price_.steps = step_;
+    price_.cpu = cpu_seconds() - cpu;
+    price_.wall = wall_seconds() - wall;
+    if (events.sample && (last || step_ % sample_every == 0)) {
+      PhaseTimer timer(price_, "sampling");
+      events.sample(*this);
+    }
+    if (events.snapshot && (last || step_ % snapshot_every == 0)) {
+      PhaseTimer timer(price_, "fields");
+      events.snapshot(*this);
+    }
+    if (events.progress && step_ % watch_every_ == 0) events.progress(*this);
+    if (last) break;
+    kick_and_drift();
+    ++step_;
+  }
+  price_.cpu = cpu_seconds() - cpu;
+  price_.wall = wall_seconds() - wall;
+}
+
+void March::forces() {
+  for (MovingBody& body : bodies_) {
+    Discretization& d = *body.discretization;
+    d.internal_force(body.u.data(), body.v.data(), step_ == 0 ? 0.0 : dt_, body.f.data(), body.viscous.empty() ? nullptr : body.viscous.data());
+    for (const MovingBody::NodalLoad& load : body.loads) body.f[load.slot] += load.force * scene_.loads[load.load].history.at(time());
+    if (scene_.gravity) {
+      const Layout& at = d.layout();
+      for (int c = 0; c < at.dim; ++c)
+        for (std::size_t i = 0; i < at.points; ++i) body.f[at.at(i, c)] += d.mass()[i] * (*scene_.gravity)[c];
+    }
+  }
+}
+
+namespace {
+
+/// One body's kick and drift. Mass-proportional damping is taken at the mean of the two half-step velocities:
+/// v+ = ((1 - c dt/2) v- + dt f/m) / (1 + c dt/2); what it takes is c dt m vbar^2 a component, what viscosity takes is -f_visc vbar dt.
+template <bool damped, bool viscous>
+void advance(MovingBody& body, double dt, double rate, double& damping_loss, double& viscous_loss) {
+  double* __restrict u = body.u.data();
+  double* __restrict v = body.v.data();
+  const double* __restrict f = body.f.data();
+  const double* __restrict w = body.inverse_mass.data();
+  [[maybe_unused]] const double* __restrict g = body.viscous.data();
+  [[maybe_unused]] const double* __restrict m = body.mass.data();
+  const double keep = (1 - 0.5 * rate * dt) / (1 + 0.5 * rate * dt), push = dt / (1 + 0.5 * rate * dt);
+  const std::size_t n = body.u.size();
+  if constexpr (!damped && !viscous) {
+    parallel_for(n, 512, [=](std::size_t begin, std::size_t end) {
+      for (std::size_t i = begin; i < end; ++i) {
+        v[i] += dt * w[i] * f[i];
+        u[i] += dt * v[i];
+      }
+    });
+  } else {
+    const auto loop = [=](std::size_t begin, std::size_t end, double& by_damping, double& by_viscosity) {
+      double d = 0, q = 0;
+      for (std::size_t i = begin; i < end; ++i) {
+        const double force = viscous ? f[i] + g[i] : f[i];
+        const double now = damped ? keep * v[i] + push * w[i] * force : v[i] + dt * w[i] * force;
+        const double mean = 0.5 * (v[i] + now);
+        if constexpr (damped) d += m[i] * mean * mean;
+        if constexpr (viscous) q -= g[i] * mean;
+        v[i] = now;
+        u[i] += dt * now;
+      }
+      by_damping = d;
+      by_viscosity = q;
+    };
+    // Two sums in one pass: the second is kept per chunk as well, in chunk order.
+    std::vector<double> q((n + 4095) / 4096, 0.0);
+    damping_loss += rate * dt * parallel_sum(n, [&](std::size_t begin, std::size_t end) {
+      double by_damping = 0, by_viscosity = 0;
+      loop(begin, end, by_damping, by_viscosity);
+      q[begin / 4096] = by_viscosity;
+      return by_damping;
+    });
+    for (double part : q) viscous_loss += dt * part;
+  }
+}
+
+}  // namespace
+
+void March::kick_and_drift() {
+  const double now = time(), next = double(step_ + 1) * dt_;
+  for (MovingBody& body : bodies_) {
+    const bool damped = damping_rate_ > 0, viscous = !body.viscous.empty();
+    if (damped && viscous) advance<true, true>(body, dt_, damping_rate_, damping_loss_, viscous_loss_);
+    else if (damped) advance<true, false>(body, dt_, damping_rate_, damping_loss_, viscous_loss_);
+    else if (viscous) advance<false, true>(body, dt_, 0, damping_loss_, viscous_loss_);
+    else advance<false, false>(body, dt_, 0, damping_loss_, viscous_loss_);
+    for (const MovingBody::NodalLoad& load : body.loads) {
+      const TimeHistory& h = scene_.loads[load.load].history;
+      external_work_ += load.force * 0.5 * (h.at(now) + h.at(next)) * dt_ * body.v[load.slot];
+    }
+    if (scene_.gravity) {
+      const Layout& at = body.discretization->layout();
+      for (int c = 0; c < at.dim; ++c)
+        external_work_ += (*scene_.gravity)[c] * dt_ * parallel_sum(at.points, [&](std::size_t begin, std::size_t end) {
+          double s = 0;
+          for (std::size_t i = begin; i < end; ++i) s += body.discretization->mass()[i] * body.v[at.at(i, c)];
+          return s;
+        });
+    }
+  }
+}
+
+double March::kinetic_energy() const {
+  double sum = 0;
+  for (const MovingBody& body : bodies_) {
+    const bool viscous = !body.viscous.empty();
+    const double keep = (1 - 0.5 * damping_rate_ * dt_) / (1 + 0.5 * damping_rate_ * dt_), push = dt_ / (1 + 0.5 * damping_rate_ * dt_);
+    sum += parallel_sum(body.v.size(), [&](std::size_t begin, std::size_t end) {
+      double s = 0;
+      for (std::size_t i = begin; i < end; ++i) {
+        const double w = body.inverse_mass[i];
+        if (w == 0) continue;
+        const double force = viscous ? body.f[i] + body.viscous[i] : body.f[i];
+        s += 0.5 / w * body.v[i] * (keep * body.v[i] + push * w * force);
+      }
+      return s;
+    });
+  }
+  return sum;
+}
+
+Ledger March::ledger() const {
+  Ledger l;
+  l.kinetic = kinetic_energy();
+  for (const MovingBody& body : bodies_) {
+    l.strain += body.discretization->strain_energy(body.u.data());
+    l.hourglass += body.discretization->hourglass_energy(body.u.data());
+  }
+  l.external = external_work_;
+  l.damping = damping_loss_;
+  l.viscosity = viscous_loss_;
+  l.initial = initial_energy_;
+  return l;
+}
+
+/// Kinetic damping (Cundall): when the kinetic energy has passed a peak, all velocities start again from rest.
+void March::stop_at_kinetic_peak() {
+  double kinetic = 0;
+  for (const MovingBody& body : bodies_)
+    kinetic += parallel_sum(body.v.size(), [&](std::size_t begin, std::size_t end) {
+      double s = 0;
+      for (std::size_t i = begin; i < end; ++i) s += 0.5 * body.mass[i] * body.v[i] * body.v[i];
+      return s;
+    });
+  if (kinetic >= half_step_kinetic_) {
+    half_step_kinetic_ = kinetic;
+    return;
+  }
+  const double before = kinetic_energy();
+  for (MovingBody& body : bodies_)
+    for (std::size_t i = 0; i < body.v.size(); ++i) body.v[i] = -0.5 * dt_ * body.inverse_mass[i] * body.f[i];
+  damping_loss_ += before - kinetic_energy();
+  half_step_kinetic_ = 0;
+}
+
+/// Settled: for half a period of the slowest motion the kinetic energy has stayed below tolerance^2 of the strain energy, that is,
+/// what still moves has an amplitude below `tolerance` of the displacement.
+void March::watch() {
+  const Ledger l = ledger();
+  if (!std::isfinite(l.stored())) fail("a displacement is not a finite number", "try a smaller --safety, or look for a load or material that is out of range");
+  const double supplied = std::abs(l.external) + l.initial;
+  if (step_ > 0 && l.stored() > 10 * supplied + 1e-12)
+    fail(fmt::format("the stored energy {:.3g} J exceeds ten times what loads and the start have supplied ({:.3g} J)", l.stored(), supplied),
+         "the march is unstable: try a smaller --safety");
+  if (!scene_.settling || step_ == 0) return;
+  double inertia = 0;
+  for (const MovingBody& body : bodies_)
+    inertia += parallel_sum(body.u.size(), [&](std::size_t begin, std::size_t end) {
+      double s = 0;
+      for (std::size_t i = begin; i < end; ++i) s += body.mass[i] * body.u[i] * body.u[i];
+      return s;
+    });
+  if (inertia == 0) return;
+  const double omega = std::sqrt(2 * (l.strain + l.hourglass) / inertia);  // Rayleigh quotient of the motion itself
+  if (adaptive_damping_) damping_rate_ = 2 * omega;                        // critical for the slowest mode
+  const double tolerance = scene_.settling->tolerance;
+  if (std::abs(l.kinetic) > tolerance * tolerance * (l.strain + l.hourglass)) still_since_ = -1;
+  else if (still_since_ < 0) still_since_ = time();
+  else if (time() - still_since_ > std::acos(-1.0) / omega) settled_ = true;
+}
+
+}  // namespace femsph

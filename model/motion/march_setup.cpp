@@ -1,0 +1,157 @@
+// Before the first step: where supports and loads act, masses, the step, the start.
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "model/motion/critical_step.hpp"
+#include "model/motion/march.hpp"
+#include "model/numerics/parallel.hpp"
+
+namespace femsph {
+
+March::March(const Scene& scene, std::vector<std::unique_ptr<Discretization>> bodies, const MarchOptions& options) : scene_(scene) {
+  adaptive_damping_ = scene.settling && scene.settling->method == SettlingMethod::damping && !scene.settling->rate;
+  kinetic_damping_ = scene.settling && scene.settling->method == SettlingMethod::kinetic;
+  damping_rate_ = scene.settling && scene.settling->rate ? *scene.settling->rate : scene.damping.value_or(0.0);
+  critical_ = std::numeric_limits<double>::infinity();
+  price_.threads = threads();
+  PhaseTimer timer(price_, "critical step");
+  for (std::size_t b = 0; b < bodies.size(); ++b) {
+    MovingBody body;
+    body.name = scene.bodies[b].name;
+    body.discretization = std::move(bodies[b]);
+    place_supports_and_loads(body, b);
+    critical_ = std::min(critical_, femsph::critical_step(*body.discretization, body.inverse_mass));
+    price_.units += body.discretization->units();
+    price_.bytes += body.discretization->bytes() + sizeof(double) * (4 * body.u.size() + body.viscous.size() + body.mass.size());
+    bodies_.push_back(std::move(body));
+  }
+  if (!std::isfinite(critical_)) throw MotionError("nothing in this scene can move: every displacement is held, or no body has stiffness");
+  dt_ = options.step.value_or(options.safety * critical_);
+  price_.dt = dt_;
+  if (dt_ > critical_)
+    throw MotionError(fmt::format("the step {:.4g} s is over the limit: the largest stable step is {:.4g} s; march with --safety 0.9 instead", dt_, critical_));
+}
+
+void March::place_supports_and_loads(MovingBody& body, std::size_t index) {
+  const Discretization& d = *body.discretization;
+  const Layout& at = d.layout();
+  for (auto* vector : {&body.u, &body.v, &body.f, &body.inverse_mass}) vector->assign(at.size, 0.0);
+  if (d.has_viscosity()) body.viscous.assign(at.size, 0.0);
+  if (scene_.settling || scene_.damping) body.mass.assign(at.size, 0.0);
+  for (std::size_t i = 0; i < at.points; ++i)
+    for (int c = 0; c < at.dim; ++c) {
+      body.inverse_mass[at.at(i, c)] = 1 / d.mass()[i];
+      if (!body.mass.empty()) body.mass[at.at(i, c)] = d.mass()[i];
+    }
+  const auto points_of = [&](const Place& place, const char* what) {
+    const std::vector<Weight> points = d.points_of(place);
+    if (points.empty())
+      throw MotionError(fmt::format("{}:{}:{}: this {} finds no point of body \"{}\" ({}); use a finer spacing or another place", scene_.file,
+                                    place.source.line, place.source.column, what, body.name, d.describe()));
+    return points;
+  };
+  for (const Support& support : scene_.supports) {
+    if (support.place.body != index) continue;
+    for (const Weight& w : points_of(support.place, "support"))
+      for (int c = 0; c < at.dim; ++c)
+        if (support.fixed[c]) body.inverse_mass[at.at(w.point, c)] = 0;
+  }
+  for (std::size_t l = 0; l < scene_.loads.size(); ++l) {
+    const Load& load = scene_.loads[l];
+    if (load.place.body != index) continue;
+    for (const Weight& w : points_of(load.place, "load"))
+      for (int c = 0; c < at.dim; ++c)
+        if (load.force[c] != 0) body.loads.push_back({at.at(w.point, c), w.weight * load.force[c], l});
+  }
+}
+
+/// The leap-frog's first velocity belongs to half a step before the start: v(-1/2) = v(0) - dt/2 a(0).
+void March::start_velocities() {
+  for (std::size_t b = 0; b < bodies_.size(); ++b) {
+    MovingBody& body = bodies_[b];
+    const Layout& at = body.discretization->layout();
+    for (const InitialVelocity& start : scene_.initial_velocities)
+      if (start.body == b)
+        for (std::size_t i = 0; i < at.points; ++i)
+          for (int c = 0; c < at.dim; ++c) {
+            const std::size_t slot = at.at(i, c);
+            if (body.inverse_mass[slot] == 0) continue;
+            body.v[slot] = start.velocity[c];
+          }
+    for (std::size_t i = 0; i < body.v.size(); ++i) body.v[i] -= 0.5 * dt_ * body.inverse_mass[i] * body.f[i];
+  }
+  initial_energy_ = kinetic_energy();
+}
+
+long March::planned_steps() const { return std::max(1L, std::lround(std::ceil(scene_.duration / dt_ - 1e-9))); }
+
+/// Internal force of each point: what the discretization gave, before loads and gravity were added.
+template <class Take>
+void March::internal_forces(const MovingBody& body, Take&& take) const {
+  AlignedVector<double> f = body.f;
+  const Layout& at = body.discretization->layout();
+  for (const MovingBody::NodalLoad& load : body.loads) f[load.slot] -= load.force * scene_.loads[load.load].history.at(time());
+  for (std::size_t i = 0; i < at.points; ++i) {
+    Point p{}, x = body.discretization->position(i);
+    for (int c = 0; c < at.dim; ++c) {
+      p[c] = f[at.at(i, c)] - (scene_.gravity ? body.discretization->mass()[i] * (*scene_.gravity)[c] : 0.0);
+      if (!body.viscous.empty()) p[c] += body.viscous[at.at(i, c)];
+      x[c] += scene_.large_motion ? body.u[at.at(i, c)] : 0.0;
+    }
+    take(x, p);
+  }
+}
+
+double March::force_imbalance() const {
+  double worst = 0;
+  for (const MovingBody& body : bodies_) {
+    Point sum{}, size{};
+    internal_forces(body, [&](const Point&, const Point& f) {
+      for (int c = 0; c < 3; ++c) sum[c] += f[c], size[c] += std::abs(f[c]);
+    });
+    const double all = size[0] + size[1] + size[2];
+    if (all > 0) worst = std::max(worst, (std::abs(sum[0]) + std::abs(sum[1]) + std::abs(sum[2])) / all);
+  }
+  return worst;
+}
+
+double March::moment_imbalance() const {
+  double worst = 0;
+  for (const MovingBody& body : bodies_) {
+    Point sum{};
+    double all = 0;
+    internal_forces(body, [&](const Point& x, const Point& f) {
+      for (int c = 0; c < 3; ++c) {
+        const int a = (c + 1) % 3, b = (c + 2) % 3;
+        sum[c] += x[a] * f[b] - x[b] * f[a];
+        all += std::abs(x[a] * f[b]) + std::abs(x[b] * f[a]);
+      }
+    });
+    if (all > 0) worst = std::max(worst, (std::abs(sum[0]) + std::abs(sum[1]) + std::abs(sum[2])) / all);
+  }
+  return worst;
+}
+
+void March::fail(const std::string& what, const std::string& advice) const {
+  // The point that moves fastest is the likeliest place.
+  std::string place = "unknown";
+  double fastest = -1;
+  for (const MovingBody& body : bodies_) {
+    const Layout& at = body.discretization->layout();
+    for (std::size_t i = 0; i < at.points; ++i) {
+      double speed = 0;
+      for (int c = 0; c < at.dim; ++c) speed += body.v[at.at(i, c)] * body.v[at.at(i, c)];
+      if (speed <= fastest) continue;
+      if (std::isfinite(speed)) fastest = speed;
+      const Point x = body.discretization->position(i);
+      place = fmt::format("body \"{}\", point {} at ({:.6g}, {:.6g}, {:.6g}) m", body.name, i, x[0], x[1], x[2]);
+      if (!std::isfinite(speed)) break;
+    }
+  }
+  throw MotionError(fmt::format("stopped at step {} (t = {:.6g} s), {}: {}; {}", step_, time(), place, what, advice));
+}
+
+}  // namespace femsph

@@ -1,0 +1,117 @@
+#include "model/motion/recorder.hpp"
+
+#include <cmath>
+
+namespace femsph {
+
+namespace {
+
+bool on_material(Quantity q) { return q == Quantity::stress || q == Quantity::strain; }
+
+std::vector<Weight> weights_at(const March& march, std::size_t body, Quantity quantity, const Point& p) {
+  const Discretization& d = *march.bodies()[body].discretization;
+  return on_material(quantity) ? d.material_interpolation(p) : d.interpolation(p);
+}
+
+}  // namespace
+
+std::vector<std::string> component_names(Quantity quantity, int dim) {
+  if (on_material(quantity)) {
+    if (dim == 2) return {"xx", "yy", "zz", "xy"};
+    return {"xx", "yy", "zz", "xy", "yz", "zx"};
+  }
+  if (dim == 2) return {"x", "y"};
+  return {"x", "y", "z"};
+}
+
+std::string unit_of(Quantity quantity) {
+  switch (quantity) {
+    case Quantity::displacement: return "m";
+    case Quantity::velocity: return "m/s";
+    case Quantity::stress: return "Pa";
+    case Quantity::strain: break;
+  }
+  return "1";
+}
+
+Recorder::Recorder(const March& march) {
+  const Scene& scene = march.scene();
+  history_.add("time", "s");
+  for (const Probe& probe : scene.probes) {
+    probes_.push_back({probe.name, probe.body, probe.quantity, weights_at(march, probe.body, probe.quantity, probe.point)});
+    for (const std::string& c : component_names(probe.quantity, scene.dim())) history_.add(probe.name + "_" + c, unit_of(probe.quantity));
+  }
+  for (const char* energy : {"kinetic_energy", "strain_energy", "hourglass_energy", "external_work", "damping_loss", "viscosity_loss"})
+    history_.add(energy, "J");
+  for (const Section& section : scene.sections) {
+    Line line{&section, {}, {}};
+    double length = 0;
+    for (int c = 0; c < 3; ++c) length += (section.to[c] - section.from[c]) * (section.to[c] - section.from[c]);
+    length = std::sqrt(length);
+    for (int k = 0; k < section.count; ++k) {
+      const double s = section.count > 1 ? double(k) / (section.count - 1) : 0.0;
+      Point p;
+      for (int c = 0; c < 3; ++c) p[c] = section.from[c] + s * (section.to[c] - section.from[c]);
+      line.distance.push_back(s * length);
+      line.points.push_back({section.name, section.body, section.quantity, weights_at(march, section.body, section.quantity, p)});
+    }
+    lines_.push_back(std::move(line));
+  }
+}
+
+std::vector<double> Recorder::read(const March& march, const Reading& reading) const {
+  const MovingBody& body = march.bodies()[reading.body];
+  const Discretization& d = *body.discretization;
+  const int dim = march.scene().dim();
+  if (on_material(reading.quantity)) {
+    std::vector<std::size_t> points;
+    for (const Weight& w : reading.weights) points.push_back(w.point);
+    MaterialState state;
+    d.material_state(body.u.data(), points, state);
+    const auto& values = reading.quantity == Quantity::stress ? state.stress : state.strain;
+    std::vector<double> out(dim == 2 ? 4 : 6, 0.0);
+    for (std::size_t k = 0; k < points.size(); ++k)
+      for (std::size_t c = 0; c < out.size(); ++c) out[c] += reading.weights[k].weight * values[k][c];
+    return out;
+  }
+  std::vector<double> out(dim, 0.0);
+  const Layout& at = d.layout();
+  for (const Weight& w : reading.weights)
+    for (int c = 0; c < dim; ++c) {
+      const std::size_t slot = at.at(w.point, c);
+      // Velocity at the whole step: the last half step's and half a kick.
+      out[c] += w.weight * (reading.quantity == Quantity::displacement ? body.u[slot]
+                                                                       : body.v[slot] + 0.5 * march.dt() * body.inverse_mass[slot] * body.f[slot]);
+    }
+  return out;
+}
+
+void Recorder::sample(const March& march) {
+  std::size_t column = 0;
+  const auto put = [&](double value) { history_.columns[column++].values.push_back(value); };
+  put(march.time());
+  for (const Reading& probe : probes_)
+    for (double value : read(march, probe)) put(value);
+  const Ledger l = march.ledger();
+  for (double energy : {l.kinetic, l.strain, l.hourglass, l.external, l.damping, l.viscosity}) put(energy);
+}
+
+std::map<std::string, Profile> Recorder::profiles(const March& march) const {
+  std::map<std::string, Profile> out;
+  for (const Line& line : lines_) {
+    Profile p;
+    p.name = line.section->name;
+    p.time = march.time();
+    p.distance = line.distance;
+    for (const std::string& c : component_names(line.section->quantity, march.scene().dim()))
+      p.columns.push_back({c, unit_of(line.section->quantity), {}});
+    for (const Reading& point : line.points) {
+      const std::vector<double> values = read(march, point);
+      for (std::size_t c = 0; c < values.size(); ++c) p.columns[c].values.push_back(values[c]);
+    }
+    out.emplace(line.section->name, std::move(p));
+  }
+  return out;
+}
+
+}  // namespace femsph

@@ -1,0 +1,47 @@
+#pragma once
+// Reads the scene's probes and sections off a march: the same reading for both solvers.
+
+#include <map>
+#include <string>
+#include <vector>
+
+#include "model/motion/march.hpp"
+#include "model/results/history.hpp"
+
+namespace femsph {
+
+/// Names of the components of a quantity: x y z, or xx yy zz xy yz zx; z drops out of 2D vectors, yz zx out of 2D tensors.
+std::vector<std::string> component_names(Quantity quantity, int dim);
+std::string unit_of(Quantity quantity);
+
+class Recorder {
+ public:
+  /// Finds the weights of every probe and section point once.
+  explicit Recorder(const March& march);
+
+  /// One row of the history: time, every probe's components (NAME_x, ..), energies in J.
+  void sample(const March& march);
+  const History& history() const { return history_; }
+  /// Every section of the scene as it is now, by name.
+  std::map<std::string, Profile> profiles(const March& march) const;
+
+ private:
+  struct Reading {
+    std::string name;
+    std::size_t body;
+    Quantity quantity;
+    std::vector<Weight> weights;  ///< of points, or of material points for stress and strain
+  };
+  std::vector<double> read(const March& march, const Reading& reading) const;
+
+  std::vector<Reading> probes_;
+  struct Line {
+    const Section* section;
+    std::vector<double> distance;
+    std::vector<Reading> points;
+  };
+  std::vector<Line> lines_;
+  History history_;
+};
+
+}  // namespace femsph

@@ -1,0 +1,48 @@
+#pragma once
+// Internal to results/: the XDMF description of the HDF5 files that FieldWriter writes.
+
+#include <array>
+#include <string>
+#include <vector>
+
+#include "model/motion/discretization.hpp"
+
+namespace femsph::xdmf {
+
+struct Field {
+  const char* name;
+  const char* type;  ///< XDMF's AttributeType
+  std::size_t components;
+  bool at_points;  ///< else at material points: cells, or the points of a body without cells
+};
+
+/// Tensors have nine components although six would do: XDMF's Tensor6 (xx xy xz yy yz zz) is taken for VTK's order
+/// (xx yy zz xy yz xz) by one of ParaView's readers and expanded correctly by another.
+inline constexpr std::array<Field, 5> fields{{{"displacement", "Vector", 3, true},
+                                              {"velocity", "Vector", 3, true},
+                                              {"stress", "Tensor", 9, false},
+                                              {"strain", "Tensor", 9, false},
+                                              {"equivalent_stress", "Scalar", 1, false}}};
+
+struct Body {
+  std::string name;
+  Topology::Kind kind;
+  std::size_t points, cells;
+  /// Points of a cell; a body without cells is made of one-point cells (Polyvertex).
+  std::size_t cell_points() const;
+};
+
+struct Frame {
+  std::string file;  ///< relative to the XDMF file
+  long step;
+  double time;
+  std::vector<std::size_t> bodies;
+};
+
+/// The group of a body in every HDF5 file: by number, because a name may hold what is special in paths.
+std::string group(std::size_t body);
+
+/// The whole document; geometry_file holds the groups' "points" and "cells", a frame's file their fields.
+std::string document(const std::vector<Body>& bodies, const std::vector<Frame>& frames, const std::string& geometry_file);
+
+}  // namespace femsph::xdmf

@@ -1,0 +1,25 @@
+#include "sph/discretize.hpp"
+
+#include <stdexcept>
+
+namespace femsph::sph {
+
+std::unique_ptr<Discretization> discretize(const Scene& scene, std::size_t body, const Options& options) {
+  const Shape& shape = *scene.bodies[body].shape;
+  if (!(options.spacing > 0)) throw std::runtime_error("SPH needs a spacing, such as --spacing \"5 mm\"");
+  if (!(options.smoothing >= 0.6 && options.smoothing <= 4)) throw std::runtime_error("the smoothing length h / d must lie between 0.6 and 4");
+  const bool classic = options.formulation == Formulation::classic;
+  if (!classic && (options.boundary != Boundary::none || options.viscosity.on()))
+    throw std::runtime_error("corrected SPH takes neither virtual particles, nor boundary weights, nor artificial viscosity: they belong to the classic formulation");
+  if (options.boundary == Boundary::virtual_particles && (!dynamic_cast<const Box*>(&shape) || options.jitter > 0))
+    throw std::runtime_error("virtual particles mirror a lattice in the straight sides of a box; this body is none");
+  if (classic && scene.large_motion && options.boundary != Boundary::none)
+    throw std::runtime_error("virtual particles and boundary weights stand on initial neighbours; a scene with large motion cannot use them");
+  Particles particles = fill(shape, options);
+  const Kernel kernel(options.kernel, shape.dim(), options.smoothing * particles.spacing);
+  if (classic && scene.large_motion) return updated_lagrangian(scene, body, options, std::move(particles), kernel);
+  return shape.dim() == 2 ? total_lagrangian<2>(scene, body, options, std::move(particles), kernel)
+                          : total_lagrangian<3>(scene, body, options, std::move(particles), kernel);
+}
+
+}  // namespace femsph::sph

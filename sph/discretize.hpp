@@ -1,0 +1,18 @@
+#pragma once
+// Which class a choice of options becomes. One translation unit per dimension, so that they compile side by side.
+
+#include <memory>
+
+#include "sph/particle_body.hpp"
+
+namespace femsph::sph {
+
+template <int dim>
+std::unique_ptr<Discretization> total_lagrangian(const Scene& scene, std::size_t body, const Options& options, Particles particles, const Kernel& kernel);
+extern template std::unique_ptr<Discretization> total_lagrangian<2>(const Scene&, std::size_t, const Options&, Particles, const Kernel&);
+extern template std::unique_ptr<Discretization> total_lagrangian<3>(const Scene&, std::size_t, const Options&, Particles, const Kernel&);
+
+/// Classic SPH on updated neighbours with the Jaumann rate, for large motion.
+std::unique_ptr<Discretization> updated_lagrangian(const Scene& scene, std::size_t body, const Options& options, Particles particles, const Kernel& kernel);
+
+}  // namespace femsph::sph

@@ -1,0 +1,47 @@
+#pragma once
+// What every SPH discretization has in common: where its particles are, what they weigh, and how places and probes find them.
+
+#include <string>
+
+#include "model/motion/discretization.hpp"
+#include "sph/kernel.hpp"
+#include "sph/particles.hpp"
+
+namespace femsph::sph {
+
+class ParticleBody : public Discretization {
+ public:
+  ParticleBody(const Scene& scene, std::size_t body, const Options& options, Particles particles, const Kernel& kernel);
+
+  std::string describe() const override;
+  const Layout& layout() const override { return layout_; }
+  std::span<const double> mass() const override { return mass_; }
+  Point position(std::size_t point) const override { return particles_.position[point]; }
+  std::size_t units() const override { return particles_.size(); }
+  std::string unit_name() const override { return "particle"; }
+  double spacing() const override { return particles_.spacing; }
+  double wave_speed() const override { return wave_speed_; }
+  std::size_t bytes() const override;
+
+  /// Particles of a place; a force is shared in proportion to their volumes.
+  std::vector<Weight> points_of(const Place& place) const override;
+  /// The particle at p itself; between particles, a moving least-squares fit that reproduces linear fields.
+  std::vector<Weight> interpolation(const Point& p) const override;
+  std::vector<Weight> material_interpolation(const Point& p) const override { return interpolation(p); }
+  std::size_t material_points() const override { return particles_.size(); }
+  Point material_position(std::size_t point) const override { return particles_.position[point]; }
+  double material_volume(std::size_t point) const override { return particles_.volume[point] * thickness_; }
+  Topology topology() const override;
+
+ protected:
+  Options options_;
+  Particles particles_;
+  std::shared_ptr<const Shape> shape_;
+  double thickness_, density_, wave_speed_;
+  Layout layout_;
+
+ private:
+  std::vector<double> mass_;
+};
+
+}  // namespace femsph::sph

@@ -1,0 +1,97 @@
+#include "sph/particles.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <random>
+#include <stdexcept>
+
+namespace femsph::sph {
+
+namespace {
+
+/// Share of the lattice cell around p that lies in the shape: half on a face, a quarter on an edge of a box.
+double fraction_inside(const Shape& shape, const Point& p, const Point& spacing) {
+  const int dim = shape.dim(), cuts = 8;
+  int inside = 0, all = 0;
+  for (int k = 0; k < (dim == 3 ? cuts : 1); ++k)
+    for (int j = 0; j < cuts; ++j)
+      for (int i = 0; i < cuts; ++i) {
+        const Point s{p[0] + ((i + 0.5) / cuts - 0.5) * spacing[0], p[1] + ((j + 0.5) / cuts - 0.5) * spacing[1],
+                      dim == 3 ? p[2] + ((k + 0.5) / cuts - 0.5) * spacing[2] : 0.0};
+        inside += shape.contains(s, 0.0);
+        ++all;
+      }
+  return double(inside) / all;
+}
+
+bool deep_inside(const Lattice& lattice, const std::array<int, 3>& at, int dim) {
+  for (int a = 0; a < 27; ++a) {
+    const int di = a % 3 - 1, dj = a / 3 % 3 - 1, dk = a / 9 - 1;
+    if (dim == 2 && dk != 0) continue;
+    if (lattice.particle(at[0] + di, at[1] + dj, at[2] + dk) < 0) return false;
+  }
+  return true;
+}
+
+void give_volumes(Particles& p, const Shape& shape, MassRule rule) {
+  const double share = shape.measure() / double(p.size());
+  p.volume.assign(p.size(), rule == MassRule::share ? share : p.cell);
+  if (rule != MassRule::trapezoid) return;
+  for (std::size_t i = 0; i < p.size(); ++i)
+    if (!deep_inside(p.lattice, p.lattice.place[i], p.dim)) p.volume[i] = p.cell * fraction_inside(shape, p.position[i], p.lattice.spacing);
+}
+
+}  // namespace
+
+Particles fill(const Shape& shape, const Options& options) {
+  Particles p;
+  p.dim = shape.dim();
+  Lattice& lattice = p.lattice;
+  lattice.origin = shape.lower();
+  const Point upper = shape.upper();
+  p.cell = 1;
+  double places = 1;
+  for (int a = 0; a < p.dim; ++a) {
+    const double length = upper[a] - lattice.origin[a];
+    const double cells = std::round(length / options.spacing);
+    if (!(cells >= 1))
+      throw std::runtime_error(fmt::format("a spacing of {:g} mm does not fit a body {:g} mm long along {}; the spacing must be at most that length",
+                                           options.spacing * 1e3, length * 1e3, "xyz"[a]));
+    places *= cells + 1;
+    if (places > 5e8)
+      throw std::runtime_error(fmt::format("a spacing of {:g} mm asks for more than {:.1e} particles (about {:.0f} GB); take a coarser one", options.spacing * 1e3,
+                                           places, places * 300e-9));
+    lattice.count[a] = int(cells) + 1;
+    lattice.spacing[a] = length / cells;
+    p.cell *= lattice.spacing[a];
+    p.spacing = a == 0 ? lattice.spacing[a] : std::min(p.spacing, lattice.spacing[a]);
+  }
+  lattice.at.assign(std::size_t(lattice.count[0]) * lattice.count[1] * lattice.count[2], -1);
+  std::size_t slot = 0;
+  for (int k = 0; k < lattice.count[2]; ++k)
+    for (int j = 0; j < lattice.count[1]; ++j)
+      for (int i = 0; i < lattice.count[0]; ++i, ++slot) {
+        const Point x{lattice.origin[0] + i * lattice.spacing[0], lattice.origin[1] + j * lattice.spacing[1], lattice.origin[2] + k * lattice.spacing[2]};
+        if (!shape.contains(x, 1e-6 * p.spacing)) continue;
+        lattice.at[slot] = int(p.position.size());
+        lattice.place.push_back({i, j, k});
+        p.position.push_back(x);
+      }
+  if (p.position.empty()) throw std::runtime_error(fmt::format("no particle of spacing {:g} mm lies in the body; take a finer spacing", options.spacing * 1e3));
+  give_volumes(p, shape, options.mass);
+  if (options.jitter > 0) {
+    p.regular = false;
+    std::mt19937_64 random(20090924);
+    std::uniform_real_distribution<double> share(-options.jitter, options.jitter);
+    for (std::size_t i = 0; i < p.size(); ++i)
+      for (int a = 0; a < p.dim; ++a) {
+        const double move = share(random) * lattice.spacing[a];
+        if (deep_inside(lattice, lattice.place[i], p.dim)) p.position[i][a] += move;
+      }
+  }
+  return p;
+}
+
+}  // namespace femsph::sph

@@ -1,0 +1,122 @@
+// What the adjoint form promises, for every element on distorted cells under a random displacement:
+//   energy            force = -dE/du, E the stored plus the hourglass energy; in small strain also f = -K u, E = 1/2 u K u, K symmetric
+//   momentum          sum f = 0 and sum x cross f = 0, x the current place (the undeformed one in small strain, where only
+//                     infinitesimal rotations are rigid)
+//   objectivity       x -> R x turns the forces with it and leaves the energy alone; a rigid rotation by 90 degrees gives no force.
+
+#include <gtest/gtest.h>
+
+#include "fem_support.hpp"
+
+namespace femsph::test {
+namespace {
+
+class Balance : public testing::TestWithParam<std::tuple<Element, int>> {
+ protected:
+  std::unique_ptr<Discretization> make(bool large) const {
+    const bool solid = std::get<1>(GetParam()) == 3;
+    Scene scene = box_scene(solid ? Plane::none : Plane::strain, {1.2, 0.8, solid ? 0.9 : 0.0}, 2.0, 0.3, solid ? 1.0 : 0.7);
+    scene.large_motion = large;
+    fem::Options options;
+    options.element = std::get<0>(GetParam());
+    options.divisions = {4, 3, 2};
+    options.distortion = 0.15;
+    return fem::discretize(scene, 0, options);
+  }
+  static double energy(const Discretization& d, const std::vector<double>& u) {
+    return d.strain_energy(u.data()) + d.hourglass_energy(u.data());
+  }
+  static void expect_momentum(const Discretization& d, const std::vector<double>& f, const std::vector<double>& moved) {
+    Point sum{}, moment{};
+    const Layout& l = d.layout();
+    for (std::size_t i = 0; i < l.points; ++i) {
+      Point x = d.position(i), F{};
+      for (int c = 0; c < l.dim; ++c) {
+        x[c] += moved[l.at(i, c)];
+        F[c] = f[l.at(i, c)];
+      }
+      for (int c = 0; c < 3; ++c) {
+        sum[c] += F[c];
+        moment[c] += x[(c + 1) % 3] * F[(c + 2) % 3] - x[(c + 2) % 3] * F[(c + 1) % 3];
+      }
+    }
+    for (int c = 0; c < 3; ++c) {
+      EXPECT_NEAR(sum[c], 0, 1e-13 * largest(f));
+      EXPECT_NEAR(moment[c], 0, 1e-13 * largest(f));
+    }
+  }
+};
+
+TEST_P(Balance, SmallStrainForceIsMinusKu) {
+  const auto d = make(false);
+  const auto u = random_field(*d, 0.01, 1), w = random_field(*d, 0.01, 2);
+  const auto Ku = stiffness(*d, u), Kw = stiffness(*d, w), f = force(*d, u);
+  EXPECT_NEAR(dot(w, Ku), dot(u, Kw), 1e-13 * dot(u, Ku));
+  EXPECT_NEAR(energy(*d, u), 0.5 * dot(u, Ku), 1e-13 * dot(u, Ku));
+  for (std::size_t i = 0; i < f.size(); ++i) EXPECT_NEAR(f[i], -Ku[i], 1e-13 * largest(f));
+  expect_momentum(*d, f, std::vector<double>(f.size(), 0.0));
+}
+
+TEST_P(Balance, OnlyRigidMotionsAreFree) {
+  // u K u > 0 for whatever is not rigid: smallest over random fields and over the 2 dx wave that full reduction would not see.
+  const auto d = make(false);
+  for (unsigned seed = 0; seed < 20; ++seed) {
+    const auto u = random_field(*d, 0.01, seed);
+    EXPECT_GT(dot(u, stiffness(*d, u)), 1e-3 * dot(u, u));
+  }
+}
+
+TEST_P(Balance, LargeMotionForceIsMinusTheGradientOfTheEnergy) {
+  // Central difference along a random direction: error O(step^2) + round-off / step, both below 1e-7 of the largest term.
+  const auto d = make(true);
+  const auto u = random_field(*d, 0.04, 1), direction = random_field(*d, 1.0, 2);
+  const double step = 1e-5;
+  std::vector<double> up = u, down = u;
+  for (std::size_t i = 0; i < u.size(); ++i) {
+    up[i] += step * direction[i];
+    down[i] -= step * direction[i];
+  }
+  const auto f = force(*d, u);
+  const double scale = std::sqrt(dot(f, f) * dot(direction, direction));
+  EXPECT_NEAR((energy(*d, up) - energy(*d, down)) / (2 * step), -dot(f, direction), 1e-7 * scale);
+  expect_momentum(*d, f, u);
+}
+
+TEST_P(Balance, ForcesTurnWithTheBody) {
+  const auto d = make(true);
+  const Layout& l = d->layout();
+  const auto u = random_field(*d, 0.03, 3);
+  const double c = std::cos(2.0), s = std::sin(2.0);
+  const auto turned = [&](const Point& x) { return Point{c * x[0] - s * x[1], s * x[0] + c * x[1], x[2]}; };
+  std::size_t i = 0;
+  const auto w = field(*d, [&](const Point& X) {
+    Point x = X;
+    for (int k = 0; k < l.dim; ++k) x[k] += u[l.at(i, k)];
+    ++i;
+    const Point y = turned(x);
+    return Point{y[0] - X[0], y[1] - X[1], y[2] - X[2]};
+  });
+  const auto f = force(*d, u), g = force(*d, w);
+  EXPECT_NEAR(energy(*d, u), energy(*d, w), 1e-12 * energy(*d, u));
+  for (std::size_t p = 0; p < l.points; ++p) {
+    Point F{};
+    for (int k = 0; k < l.dim; ++k) F[k] = f[l.at(p, k)];
+    F = turned(F);
+    for (int k = 0; k < l.dim; ++k) EXPECT_NEAR(g[l.at(p, k)], F[k], 1e-12 * largest(f));
+  }
+}
+
+TEST_P(Balance, RigidRotationBy90DegreesGivesNoStress) {
+  const auto d = make(true);
+  const auto u = field(*d, [](const Point& x) { return Point{-x[1] - x[0], x[0] - x[1], 0}; });
+  const MaterialState state = state_of(*d, u);
+  for (const auto& s : state.stress)
+    for (const double x : s) EXPECT_NEAR(x, 0, 1e-14);  // E = 2
+  EXPECT_LT(largest(force(*d, u)), 1e-14);
+  EXPECT_LT(energy(*d, u), 1e-27);
+}
+
+INSTANTIATE_TEST_SUITE_P(Fem, Balance, testing::Combine(testing::ValuesIn(all_elements), testing::Values(2, 3)));
+
+}  // namespace
+}  // namespace femsph::test

@@ -1,0 +1,198 @@
+// The march on one mass and one spring (m u'' = F - k u, omega = sqrt(k/m)), where everything is known.
+//   critical step              2 / omega
+//   discrete frequency         sin(omega_d dt / 2) = omega dt / 2, exact for the leap-frog
+//   energy                     1/2 v- m v+ + 1/2 k u^2 is constant to round-off
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <memory>
+
+#include "model/motion/march.hpp"
+#include "model/motion/recorder.hpp"
+
+namespace femsph {
+namespace {
+
+constexpr double mass = 2.0, stiffness = 800.0, omega = 20.0;
+
+/// Mass 0 is free in x and y and held by the spring in x; optionally a constant negative force law that blows up.
+class Spring : public Discretization {
+ public:
+  explicit Spring(double k = stiffness, double explode_at = 1e300) : k_(k), explode_at_(explode_at), mass_{mass} { layout_ = {1, 2, 2, 1, 0, 2}; }
+  std::string describe() const override { return "a spring"; }
+  const Layout& layout() const override { return layout_; }
+  std::span<const double> mass() const override { return mass_; }
+  Point position(std::size_t) const override { return {0.5, 0.25, 0}; }
+  std::size_t units() const override { return 1; }
+  std::string unit_name() const override { return "element"; }
+  double spacing() const override { return 1; }
+  double wave_speed() const override { return 1; }
+  std::size_t bytes() const override { return 0; }
+  void internal_force(const double* u, const double*, double, double* f, double*) override {
+    f[0] = -k_ * u[0];
+    f[1] = std::abs(u[0]) > explode_at_ ? std::nan("") : 0.0;
+  }
+  void stiffness(const double* x, double* y) const override { y[0] = k_ * x[0], y[1] = 0; }
+  double strain_energy(const double* u) const override { return 0.5 * k_ * u[0] * u[0]; }
+  std::vector<Weight> points_of(const Place& place) const override {
+    if (!place.sides.empty() && place.sides[0] == "nowhere") return {};
+    return {{0, 1.0}};
+  }
+  std::vector<Weight> interpolation(const Point&) const override { return {{0, 1.0}}; }
+  std::vector<Weight> material_interpolation(const Point&) const override { return {}; }
+  std::size_t material_points() const override { return 0; }
+  Point material_position(std::size_t) const override { return {}; }
+  double material_volume(std::size_t) const override { return 0; }
+  void material_state(const double*, std::span<const std::size_t>, MaterialState&) const override {}
+  Topology topology() const override { return {}; }
+
+ private:
+  double k_, explode_at_;
+  Layout layout_;
+  std::vector<double> mass_;
+};
+
+Scene scene_for(double duration) {
+  Scene s;
+  s.materials["m"] = Material{"m", 1, 0, 1};
+  s.bodies.push_back({"body", std::make_shared<Box>(2, Point{}, Point{1, 1, 0}), 1, "m"});
+  s.probes.push_back({"mass", 0, Quantity::displacement, {}});
+  s.duration = duration;
+  s.samples = 1000000;
+  return s;
+}
+
+Load push(Point force, TimeHistory history = {}) {
+  Load l;
+  l.force = force;
+  l.history = history;
+  return l;
+}
+
+struct Run {
+  explicit Run(const Scene& scene, MarchOptions options = {}, std::unique_ptr<Discretization> body = std::make_unique<Spring>())
+      : march(scene, one(std::move(body)), options), recorder(march) {
+    MarchEvents events;
+    events.sample = [&](const March& m) {
+      recorder.sample(m);
+      worst = std::max(worst, std::abs(m.ledger().imbalance()));
+    };
+    march.run(events);
+  }
+  static std::vector<std::unique_ptr<Discretization>> one(std::unique_ptr<Discretization> body) {
+    std::vector<std::unique_ptr<Discretization>> v;
+    v.push_back(std::move(body));
+    return v;
+  }
+  const std::vector<double>& x() const { return recorder.history()["mass_x"].values; }
+  const std::vector<double>& y() const { return recorder.history()["mass_y"].values; }
+  March march;
+  Recorder recorder;
+  double worst = 0;
+};
+
+TEST(March, StepIsTheSafetyTimesTheCriticalStep) {
+  const Scene s = scene_for(0.01);
+  MarchOptions o;
+  o.safety = 0.5;
+  Run r(s, o);
+  EXPECT_NEAR(r.march.critical_step(), 2 / omega, 1e-12);
+  EXPECT_DOUBLE_EQ(r.march.dt(), 0.5 * r.march.critical_step());
+}
+
+TEST(March, StepOverTheLimitIsRefusedWithTheLimit) {
+  const Scene s = scene_for(0.01);
+  MarchOptions o;
+  o.step = 1.1 * 2 / omega;
+  EXPECT_THAT([&] { Run r(s, o); }, testing::ThrowsMessage<MotionError>(testing::HasSubstr("over the limit: the largest stable step is 0.1 s")));
+}
+
+// A step load F: u(n) = F/k (1 - cos(omega_d t)) exactly, with omega_d of the leap-frog (start at rest is a symmetric start).
+TEST(March, StepLoadMovesWithTheDiscreteFrequency) {
+  Scene s = scene_for(2.0);
+  s.loads.push_back(push({40, 0, 0}));
+  Run r(s);
+  const double dt = r.march.dt(), discrete = 2 / dt * std::asin(omega * dt / 2);
+  for (std::size_t n = 0; n < r.x().size(); ++n) ASSERT_NEAR(r.x()[n], 0.05 * (1 - std::cos(discrete * double(n) * dt)), 1e-12) << n;
+  EXPECT_LT(r.worst, 1e-14 * 40 * 0.1);
+}
+
+// Free flight: u = v t + a t^2/2, which the leap-frog meets exactly; the ledger counts gravity's work.
+TEST(March, GravityAndInitialVelocity) {
+  Scene s = scene_for(1.0);
+  s.gravity = Point{0, -10, 0};
+  s.initial_velocities.push_back({0, {0, 3, 0}});
+  Run r(s);
+  const double t = r.march.time();
+  EXPECT_NEAR(r.y().back(), 3 * t - 5 * t * t, 1e-12);
+  EXPECT_LT(r.worst, 1e-12);
+  EXPECT_NEAR(r.march.ledger().external, mass * 10 * (5 * t * t - 3 * t), 1e-11);
+}
+
+TEST(March, RampBalancesItsEnergyToo) {
+  Scene s = scene_for(2.0);
+  TimeHistory ramp;
+  ramp.time = {0, 0.7};
+  ramp.factor = {0, 1};
+  s.loads.push_back(push({40, 0, 0}, ramp));
+  EXPECT_LT(Run(s).worst, 1e-13);
+}
+
+// Amplitude of damped free vibration after time t: exp(-c t / 2); energy all accounted for.
+TEST(March, DampingTakesWhatTheLedgerSays) {
+  Scene s = scene_for(1.0);
+  s.damping = 4.0;
+  s.initial_velocities.push_back({0, {1, 0, 0}});
+  MarchOptions o;
+  o.safety = 0.02;
+  Run r(s, o);
+  double last_peak = 0;
+  for (std::size_t n = 1; n + 1 < r.x().size(); ++n)
+    if (r.x()[n] > r.x()[n - 1] && r.x()[n] >= r.x()[n + 1]) last_peak = double(n) * r.march.dt(), EXPECT_NEAR(r.x()[n], std::exp(-2 * last_peak) / omega, 2e-3 / omega);
+  EXPECT_GT(last_peak, 0.8);
+  EXPECT_LT(r.worst, 1e-14);
+  EXPECT_NEAR(r.march.ledger().damping, 0.5 * mass * (1 - std::exp(-4.0)), 2e-2 * mass);
+}
+
+TEST(March, SettlesToTheStaticStateByEitherMethod) {
+  for (SettlingMethod method : {SettlingMethod::damping, SettlingMethod::kinetic}) {
+    Scene s = scene_for(100.0);
+    s.loads.push_back(push({40, 0, 0}));
+    Support hold;
+    hold.fixed = {false, true, true};
+    s.supports.push_back(hold);
+    s.settling = Settling{method, 1e-6, {}};
+    MarchOptions o;
+    o.safety = 0.1;
+    Run r(s, o);
+    EXPECT_TRUE(r.march.settled());
+    EXPECT_NEAR(r.x().back(), 0.05, 0.05 * 2e-6);
+    EXPECT_LT(std::abs(r.march.ledger().imbalance()), 1e-13);
+    EXPECT_NEAR(r.march.ledger().damping, 40 * 0.05 / 2, 1e-4);
+  }
+}
+
+TEST(March, SupportsHoldAndUnsupportedScenesAreNamed) {
+  Scene s = scene_for(1.0);
+  Support hold;
+  hold.fixed = {true, true, true};
+  s.supports.push_back(hold);
+  EXPECT_THAT([&] { Run r(s); }, testing::ThrowsMessage<MotionError>(testing::HasSubstr("nothing in this scene can move")));
+  s.supports[0].place.sides = {"nowhere"};
+  s.supports[0].place.source = {7, 3};
+  s.file = "scene.toml";
+  EXPECT_THAT([&] { Run r(s); }, testing::ThrowsMessage<MotionError>(testing::HasSubstr("scene.toml:7:3: this support finds no point of body \"body\"")));
+}
+
+TEST(March, StopsAtNotANumberWithStepPlaceAndAdvice) {
+  Scene s = scene_for(10.0);
+  s.loads.push_back(push({40, 0, 0}));
+  EXPECT_THAT([&] { Run r(s, {}, std::make_unique<Spring>(stiffness, 0.09)); },
+              testing::ThrowsMessage<MotionError>(testing::AllOf(testing::HasSubstr("stopped at step"), testing::HasSubstr("point 0 at (0.5, 0.25, 0) m"),
+                                                                 testing::HasSubstr("not a finite number"), testing::HasSubstr("--safety"))));
+}
+
+}  // namespace
+}  // namespace femsph

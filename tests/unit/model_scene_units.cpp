@@ -1,0 +1,64 @@
+// Quantities at the border of the program. Expected values are the definitions of the units.
+
+#include <gtest/gtest.h>
+
+#include <stdexcept>
+
+#include "model/scene/units.hpp"
+
+using namespace femsph;
+
+namespace {
+
+std::string complaint(const std::string& quantity, const Dimension& dimension) {
+  try {
+    to_si(quantity, dimension);
+  } catch (const std::invalid_argument& e) {
+    return e.what();
+  }
+  return "";
+}
+
+}  // namespace
+
+TEST(Units, QuantitiesBecomeSi) {
+  EXPECT_DOUBLE_EQ(to_si("1000 mm", dimension::length), 1.0);
+  EXPECT_DOUBLE_EQ(to_si("1 inch", dimension::length), 0.0254);
+  EXPECT_DOUBLE_EQ(to_si("210 GPa", dimension::pressure), 210e9);
+  EXPECT_DOUBLE_EQ(to_si("210000 N/mm^2", dimension::pressure), 210e9);
+  EXPECT_DOUBLE_EQ(to_si("-25 kN", dimension::force), -25e3);
+  EXPECT_DOUBLE_EQ(to_si("50 ms", dimension::time), 0.05);
+  EXPECT_DOUBLE_EQ(to_si("7.85 g/cm^3", dimension::density), 7850);
+  EXPECT_DOUBLE_EQ(to_si("7.85e-9 t/mm^3", dimension::density), 7850);
+  EXPECT_DOUBLE_EQ(to_si("9.81 m/s²", dimension::acceleration), 9.81);
+  EXPECT_DOUBLE_EQ(to_si("1/s", dimension::rate), 1);
+  EXPECT_DOUBLE_EQ(to_si("100 1/s", dimension::rate), 100);
+  EXPECT_DOUBLE_EQ(to_si("2 /min", dimension::rate), 2.0 / 60);
+}
+
+TEST(Units, ZeroSignsAndBlanks) {
+  EXPECT_EQ(to_si("0 N", dimension::force), 0.0);
+  EXPECT_DOUBLE_EQ(to_si("+5mm", dimension::length), 0.005);
+  EXPECT_DOUBLE_EQ(to_si("  5   mm ", dimension::length), 0.005);
+}
+
+TEST(Units, FaultsSayWhatWasExpected) {
+  const std::string expected = "; expected a length with its unit, such as \"10 mm\"";
+  EXPECT_EQ(complaint("10", dimension::length), "\"10\" has no unit" + expected);
+  EXPECT_EQ(complaint("mm", dimension::length), "\"mm\" does not start with a number" + expected);
+  EXPECT_EQ(complaint("", dimension::length), "\"\" does not start with a number" + expected);
+  EXPECT_EQ(complaint("10 kg", dimension::length), "\"10 kg\" is not a length" + expected);
+  EXPECT_EQ(complaint("10 mmm", dimension::length), "unknown unit \"mmm\" in \"10 mmm\"" + expected);
+  EXPECT_EQ(complaint("nan mm", dimension::length), "\"nan mm\" does not start with a number" + expected);
+  EXPECT_EQ(complaint("inf mm", dimension::length), "\"inf mm\" does not start with a number" + expected);
+  EXPECT_EQ(complaint("1e999 mm", dimension::length), "\"1e999 mm\" is beyond the range of numbers" + expected);
+  EXPECT_EQ(complaint("1e300 mm", dimension::length), "\"1e300 mm\" is too large or too small to compute with" + expected);
+  EXPECT_EQ(complaint("10 m @ 5", dimension::length), "\"10 m @ 5\" is not a length" + expected) << "a shifted origin is no factor";
+}
+
+TEST(Units, FaultsKeepTheTerminalQuiet) {
+  testing::internal::CaptureStderr();
+  complaint("10 ((m^99999999999", dimension::length);
+  complaint("10 m^999", dimension::length);
+  EXPECT_EQ(testing::internal::GetCapturedStderr(), "");
+}

@@ -1,0 +1,83 @@
+#pragma once
+// Scenes built in code, and a plain reference of the SPH operator: loops over all pairs, one neighbour at a time.
+
+#include <cmath>
+#include <random>
+
+#include "model/numerics/array.hpp"
+#include "model/numerics/parallel.hpp"
+#include "model/scene/scene.hpp"
+#include "sph/kernel.hpp"
+#include "sph/particles.hpp"
+#include "sph/sph.hpp"
+
+namespace femsph::test {
+
+inline Scene box_scene(Plane plane, Point size, bool large = false) {
+  Scene s;
+  s.plane = plane;
+  s.large_motion = large;
+  s.materials["steel"] = Material{"steel", 2.1e11, 0.3, 7850};
+  const int dim = plane == Plane::none ? 3 : 2;
+  s.bodies.push_back({"block", std::make_shared<Box>(dim, Point{0.01, -0.02, 0}, size), dim == 2 ? 0.1 : 1.0, "steel"});
+  s.duration = 1e-3;
+  return s;
+}
+
+inline sph::Options classic(double spacing, sph::MassRule mass, sph::Boundary boundary = sph::Boundary::none) {
+  sph::Options o;
+  o.formulation = sph::Formulation::classic;
+  o.spacing = spacing;
+  o.mass = mass;
+  o.boundary = boundary;
+  return o;
+}
+
+inline sph::Options corrected(double spacing, double smoothing = 1.0) {
+  sph::Options o;
+  o.spacing = spacing;
+  o.smoothing = smoothing;
+  return o;
+}
+
+/// A flat vector with random values at the points and 0 in the padding.
+inline AlignedVector<double> random_vector(const Discretization& d, unsigned seed, double size = 1e-5) {
+  std::mt19937 random(seed);
+  std::uniform_real_distribution<double> value(-size, size);
+  AlignedVector<double> x(d.layout().size, 0.0);
+  for (std::size_t i = 0; i < d.layout().points; ++i)
+    for (int c = 0; c < d.layout().dim; ++c) x[d.layout().at(i, c)] = value(random);
+  return x;
+}
+
+/// u = A X at the points.
+inline AlignedVector<double> linear_vector(const Discretization& d, const double (&A)[3][3]) {
+  AlignedVector<double> x(d.layout().size, 0.0);
+  for (std::size_t i = 0; i < d.layout().points; ++i)
+    for (int r = 0; r < d.layout().dim; ++r)
+      for (int c = 0; c < d.layout().dim; ++c) x[d.layout().at(i, r)] += A[r][c] * d.position(i)[c];
+  return x;
+}
+
+inline double dot(const AlignedVector<double>& a, const AlignedVector<double>& b) {
+  double s = 0;
+  for (std::size_t i = 0; i < a.size(); ++i) s += a[i] * b[i];
+  return s;
+}
+inline double largest(const AlignedVector<double>& a) {
+  double m = 0;
+  for (double x : a) m = std::max(m, std::abs(x));
+  return m;
+}
+
+inline AlignedVector<double> force(Discretization& d, const AlignedVector<double>& u) {
+  AlignedVector<double> f(d.layout().size, 0.0), v(d.layout().size, 0.0), viscous(d.has_viscosity() ? d.layout().size : 0, 0.0);
+  d.internal_force(u.data(), v.data(), 0, f.data(), viscous.empty() ? nullptr : viscous.data());
+  return f;
+}
+
+/// f_k = -sum_i V_i (s_i B_i) : d H_i / d u_k with H_i = sum_j V_j (u_j - u_i) (x) grad_i W_ij, small strain, all pairs; the correction
+/// B_i = (sum_j V_j grad W (x) x_ij)^-1 if `corrected`. Plane stress or 3D by the law. No hourglass control.
+AlignedVector<double> plain_force(const Scene& scene, const sph::Options& options, const Discretization& d, const AlignedVector<double>& u);
+
+}  // namespace femsph::test

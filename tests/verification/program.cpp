@@ -1,0 +1,87 @@
+// The program as a user meets it: exit codes, messages, and what a run leaves behind.
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <array>
+#include <cstdio>
+#include <filesystem>
+#include <fstream>
+
+namespace {
+
+namespace fs = std::filesystem;
+using testing::HasSubstr;
+
+struct Outcome {
+  int code;
+  std::string text;
+};
+
+/// Runs femsph with both streams caught.
+Outcome femsph(const std::string& arguments) {
+  const std::string command = std::string(FEMSPH_PROGRAM) + " " + arguments + " 2>&1";
+  Outcome o{-1, {}};
+  FILE* pipe = popen(command.c_str(), "r");
+  std::array<char, 4096> buffer;
+  while (const std::size_t n = fread(buffer.data(), 1, buffer.size(), pipe)) o.text.append(buffer.data(), n);
+  o.code = WEXITSTATUS(pclose(pipe));
+  return o;
+}
+
+const std::string scene = std::string(FEMSPH_SOURCE_DIR) + "/studies/fem-mesh/scene.toml";
+
+struct Folder {
+  fs::path path = fs::temp_directory_path() / ("femsph-test-" + std::to_string(getpid()));
+  Folder() { fs::remove_all(path); }
+  ~Folder() { fs::remove_all(path); }
+};
+
+TEST(Program, EveryBadSceneEndsWithOneMessageAndItsExitCode) {
+  int files = 0;
+  for (const auto& entry : fs::directory_iterator(std::string(FEMSPH_SOURCE_DIR) + "/tests/scenes/bad")) {
+    const Outcome o = femsph("check " + entry.path().string());
+    EXPECT_EQ(o.code, 1) << entry.path() << "\n" << o.text;
+    EXPECT_THAT(o.text, HasSubstr(entry.path().filename().string() + ":"));
+    ++files;
+  }
+  EXPECT_GE(files, 10);
+}
+
+TEST(Program, MissingSceneAndWrongOptionsAreExplained) {
+  EXPECT_THAT(femsph("check no-such-scene.toml").text, HasSubstr("no-such-scene.toml"));
+  EXPECT_EQ(femsph("check no-such-scene.toml").code, 1);
+  EXPECT_THAT(femsph("run " + scene + " --solver fem-ful --spacing '10 mm' --out x").text, HasSubstr("did you mean \"fem-full\"?"));
+  EXPECT_THAT(femsph("run " + scene + " --solver fem --spacing '10 N' --out x").text, HasSubstr("a length"));
+  EXPECT_THAT(femsph("run " + scene + " --solver fem --out x").text, HasSubstr("how fine?"));
+  EXPECT_THAT(femsph("run " + scene + " --solver fem --spacing '10 mm' --smoothing 1.2 --out x").text, HasSubstr("an option of SPH"));
+  EXPECT_EQ(femsph("").code, 2);
+  EXPECT_EQ(femsph("--version").code, 0);
+  EXPECT_THAT(femsph("--version").text, HasSubstr("compiler"));
+  EXPECT_EQ(femsph("list").code, 0);
+  EXPECT_THAT(femsph("list").text, HasSubstr("sph-corrected"));
+}
+
+TEST(Program, CheckPrintsWhatFollowsFromTheScene) {
+  const Outcome o = femsph("check " + scene + " --solver sph --spacing '10 mm'");
+  EXPECT_EQ(o.code, 0) << o.text;
+  for (const char* word : {"1111", "critical step", "memory", "effects on", "effects off"}) EXPECT_THAT(o.text, HasSubstr(word));
+}
+
+TEST(Program, ARunLeavesHistoriesFieldsAndItsRecord) {
+  const Folder out;
+  for (const char* solver : {"fem", "sph"}) {
+    const Outcome o = femsph("run " + scene + " --solver " + solver + " --spacing '20 mm' --out " + (out.path / solver).string());
+    ASSERT_EQ(o.code, 0) << o.text;
+    for (const char* file : {"history.csv", "history.h5", "fields.xdmf", "record.toml", "scene.toml"}) EXPECT_TRUE(fs::exists(out.path / solver / file)) << file;
+    for (const auto& entry : fs::recursive_directory_iterator(out.path)) EXPECT_THAT(entry.path().extension().string(), testing::Ne(".part"));
+  }
+}
+
+TEST(Program, AnUnwritableFolderIsOneMessage) {
+  const Outcome o = femsph("run " + scene + " --solver fem --spacing '20 mm' --out " + scene + "/inside");
+  EXPECT_EQ(o.code, 4);
+  EXPECT_THAT(o.text, HasSubstr("cannot make the folder"));
+}
+
+}  // namespace
