@@ -105,7 +105,7 @@ struct StudyCommand {
   std::string command;         ///< the command line, for the records
 };
 
-/// Runs a study and writes its tables, data and figures. Returns the exit code: 0, or 1 when a run, a figure or a claim's row is missing.
+/// Runs a study and writes its tables, data and figures. Returns the exit code: 0, or 3 when a run, a figure or a claim's row is missing.
 /// Throws InputError or std::runtime_error when the study cannot be started or its results cannot be written.
 int study_command(const StudyCommand& command);
 

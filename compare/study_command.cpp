@@ -158,7 +158,7 @@ int study_command(const StudyCommand& command, const Engine& engine) {
     throw std::runtime_error("--update-readme with --quick; expected the full study, whose numbers a README states");
   set_threads(command.threads);
   std::vector<Row> rows;
-  return run_one(study, command, engine, rows) == 0 ? 0 : 1;
+  return run_one(study, command, engine, rows) == 0 ? 0 : 3;
 }
 
 int list_command(const std::string& program) {

@@ -81,7 +81,7 @@ TEST_F(StudyCommandTest, QuickForm) {
 
 TEST_F(StudyCommandTest, AFailedRunIsAnExitCode) {
   engine.run = [](const Scene&, const Method&, const Resolution&, const RunOptions&) -> RunResult { throw std::runtime_error("no luck"); };
-  EXPECT_EQ(study_command(command, engine), 1);
+  EXPECT_EQ(study_command(command, engine), 3);
   EXPECT_THAT(folder.read("results/beam/table.csv"), HasSubstr("no luck"));
 }
 
