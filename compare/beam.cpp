@@ -1,0 +1,176 @@
+#include "compare/beam.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <numbers>
+#include <stdexcept>
+
+namespace femsph::compare {
+namespace {
+
+constexpr int modes = 10;  // the tenth carries 2e-5 of the tip's motion and 0.5 % of the root moment
+
+[[noreturn]] void refuse(const std::string& theory, const std::string& why) {
+  throw std::runtime_error(fmt::format("{} theory needs one box, held on x- and loaded by forces on x+ alone, but {}", theory, why));
+}
+
+bool names(const Place& place, const std::string& side) {
+  return std::find(place.sides.begin(), place.sides.end(), side) != place.sides.end();
+}
+
+bool on_plane(const Place& place, double x, double length) { return place.point && std::abs((*place.point)[0] - x) <= 1e-9 * length; }
+
+// Held on x-: its whole face along x, and along y somewhere on it.
+void check_supports(const Scene& scene, const LoadedBox& box, const std::string& theory) {
+  bool along_x = false, along_y = false;
+  for (const Support& support : scene.supports) {
+    if (!names(support.place, "x-") && !on_plane(support.place, box.origin[0], box.length)) refuse(theory, "a support is not on x-");
+    along_x |= support.fixed[0] && support.place.sides == std::vector<std::string>{"x-"};
+    along_y |= support.fixed[1];
+  }
+  if (!along_x) refuse(theory, "the face x- is not held along x");
+  if (!along_y) refuse(theory, "nothing holds it along y");
+}
+
+LoadedBox box_of(const Scene& scene, const std::string& theory) {
+  if (scene.bodies.size() != 1) refuse(theory, fmt::format("this scene has {} bodies", scene.bodies.size()));
+  const Body& body = scene.bodies[0];
+  const auto* shape = dynamic_cast<const Box*>(body.shape.get());
+  if (!shape) refuse(theory, "this body is no box");
+  if (scene.gravity) refuse(theory, "this scene has gravity");
+  if (!scene.initial_velocities.empty()) refuse(theory, "this scene has an initial velocity");
+  const Material& material = scene.material_of(body);
+  const double nu = material.poisson;
+  LoadedBox box{};
+  box.origin = shape->lower();
+  box.length = shape->size()[0];
+  box.height = shape->size()[1];
+  box.width = scene.dim() == 3 ? shape->size()[2] : body.thickness;
+  box.young = scene.plane == Plane::strain ? material.young / (1 - nu * nu) : material.young;
+  box.shear = material.young / (2 * (1 + nu));
+  box.density = material.density;
+  box.step = true;
+  box.duration = scene.duration;
+  check_supports(scene, box, theory);
+  if (scene.loads.empty()) refuse(theory, "nothing loads it");
+  for (const Load& load : scene.loads) {
+    if (!names(load.place, "x+") && !on_plane(load.place, box.origin[0] + box.length, box.length)) refuse(theory, "a load is not on x+");
+    for (const double factor : load.history.factor) box.step &= factor == load.history.factor.back();
+    for (int c = 0; c < 3; ++c) box.force[c] += load.force[c] * load.history.factor.back();
+  }
+  return box;
+}
+
+bool only_along(const Point& force, int axis) {
+  const double most = std::max({std::abs(force[0]), std::abs(force[1]), std::abs(force[2])});
+  for (int c = 0; c < 3; ++c)
+    if (c != axis && std::abs(force[c]) > 1e-12 * most) return false;
+  return most > 0;
+}
+
+void need_step(const LoadedBox& box, const std::string& theory) {
+  if (!box.step) refuse(theory, "its load is no step: the response to a step in time is known, to another history not");
+}
+
+double extreme(double duration, double longest_period, const std::function<double(double)>& history) {
+  if (duration <= 0) throw std::runtime_error("the peak of a response needs a scene with a duration");
+  const int count = std::max(2000, int(2000 * duration / longest_period));
+  double peak = 0;
+  for (int i = 0; i <= count; ++i) {
+    const double value = history(duration * i / count);
+    if (std::abs(value) > std::abs(peak)) peak = value;
+  }
+  return peak;
+}
+
+}  // namespace
+
+LoadedBox bar_of(const Scene& scene) {
+  const LoadedBox box = box_of(scene, "bar");
+  if (!only_along(box.force, 0)) refuse("bar", "the total force is not along x");
+  return box;
+}
+
+LoadedBox cantilever_of(const Scene& scene) {
+  const LoadedBox box = box_of(scene, "cantilever");
+  if (!only_along(box.force, 1)) refuse("cantilever", "the total force is not along y");
+  return box;
+}
+
+double bar_wave_speed(const LoadedBox& bar) { return std::sqrt(bar.young / bar.density); }
+
+double bar_displacement(const LoadedBox& bar, double x) { return bar.force[0] * x / (bar.young * bar.area()); }
+
+double bar_period(const LoadedBox& bar) { return 4 * bar.length / bar_wave_speed(bar); }
+
+double bar_end_history(const LoadedBox& bar, double time) {
+  need_step(bar, "bar");
+  const double phase = std::fmod(time / bar_period(bar), 1.0);
+  return 2 * bar_displacement(bar, bar.length) * (phase < 0.5 ? 2 * phase : 2 - 2 * phase);
+}
+
+double bar_stress_history(const LoadedBox& bar, double x, double time) {
+  need_step(bar, "bar");
+  // Fronts pass x at (L - x), (L + x), (3 L - x), (3 L + x) over c: up, up, down, down.
+  const double way = std::fmod(time, bar_period(bar)) * bar_wave_speed(bar), L = bar.length;
+  const int level = (way >= L - x) + (way >= L + x) - (way >= 3 * L - x) - (way >= 3 * L + x);
+  return level * bar.force[0] / bar.area();
+}
+
+double cantilever_deflection(const LoadedBox& beam, double x) {
+  return beam.force[1] * x * x * (3 * beam.length - x) / (6 * beam.young * beam.inertia());
+}
+
+double cantilever_deflection_timoshenko(const LoadedBox& beam, double x) {
+  return cantilever_deflection(beam, x) + beam.force[1] * x / (shear_coefficient * beam.shear * beam.area());
+}
+
+double cantilever_stress(const LoadedBox& beam, double x, double y) { return -beam.force[1] * (beam.length - x) * y / beam.inertia(); }
+
+double cantilever_eigenvalue(int n) {
+  double b = (2 * n - 1) * std::numbers::pi / 2;  // the limit of large n; Newton needs four turns for n = 1
+  for (int turn = 0; turn < 8; ++turn) {
+    const double sech = 1 / std::cosh(b);
+    b += (std::cos(b) + sech) / (std::sin(b) + sech * std::tanh(b));
+  }
+  return b;
+}
+
+double cantilever_frequency(const LoadedBox& beam, int n) {
+  const double beta = cantilever_eigenvalue(n) / beam.length;
+  return beta * beta / (2 * std::numbers::pi) * std::sqrt(beam.young * beam.inertia() / (beam.density * beam.area()));
+}
+
+double cantilever_tip_history(const LoadedBox& beam, double time) {
+  need_step(beam, "cantilever");
+  double sum = 0;
+  for (int n = 1; n <= modes; ++n) {
+    const double beta = cantilever_eigenvalue(n);
+    sum += 12 / std::pow(beta, 4) * (1 - std::cos(2 * std::numbers::pi * cantilever_frequency(beam, n) * time));
+  }
+  return sum * cantilever_deflection(beam, beam.length);
+}
+
+double cantilever_root_moment_history(const LoadedBox& beam, double time) {
+  need_step(beam, "cantilever");
+  double sum = 0;
+  for (int n = 1; n <= modes; ++n) {
+    const double beta = cantilever_eigenvalue(n);
+    const double share = 4 / (beta * beta) * (1 - std::cos(2 * std::numbers::pi * cantilever_frequency(beam, n) * time));
+    sum += n % 2 ? share : -share;
+  }
+  return sum * beam.force[1] * beam.length;
+}
+
+double cantilever_tip_peak(const LoadedBox& beam) {
+  return extreme(beam.duration, 1 / cantilever_frequency(beam), [&](double t) { return cantilever_tip_history(beam, t); });
+}
+
+double cantilever_root_moment_peak(const LoadedBox& beam) {
+  return extreme(beam.duration, 1 / cantilever_frequency(beam), [&](double t) { return cantilever_root_moment_history(beam, t); });
+}
+
+}  // namespace femsph::compare

@@ -1,0 +1,180 @@
+#include "compare/reduce.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+#include <stdexcept>
+
+#include "compare/errors.hpp"
+#include "compare/theory.hpp"
+
+namespace femsph::compare {
+namespace {
+
+bool of_section(Reduce reduce) { return reduce == Reduce::fibre_upper || reduce == Reduce::fibre_lower || reduce == Reduce::l2; }
+
+std::size_t component_index(const std::string& component) {
+  static const std::vector<std::string> vector = {"x", "y", "z"}, tensor = {"xx", "yy", "zz", "xy", "yz", "zx"};
+  const auto& names = component.size() == 1 ? vector : tensor;
+  return std::find(names.begin(), names.end(), component) - names.begin();
+}
+
+// The end of the section that is higher (lower) along y.
+std::size_t fibre(const Section& section, std::size_t points, Reduce reduce) {
+  const bool rises = section.to[1] >= section.from[1];
+  return rises == (reduce == Reduce::fibre_upper) ? points - 1 : 0;
+}
+
+double mean(const Curve& curve) {
+  double integral = 0;
+  for (std::size_t i = 1; i < curve.at.size(); ++i) integral += (curve.at[i] - curve.at[i - 1]) * (curve.value[i] + curve.value[i - 1]) / 2;
+  const double span = curve.at.back() - curve.at.front();
+  return span > 0 ? integral / span : curve.value.back();
+}
+
+double reduce_history(const Curve& curve, Reduce reduce) {
+  const auto& v = curve.value;
+  switch (reduce) {
+    case Reduce::max:
+      return *std::max_element(v.begin(), v.end());
+    case Reduce::min:
+      return *std::min_element(v.begin(), v.end());
+    case Reduce::peak:
+      return *std::max_element(v.begin(), v.end(), [](double a, double b) { return std::abs(a) < std::abs(b); });
+    case Reduce::mean:
+      return mean(curve);
+    case Reduce::frequency:
+      break;
+    default:
+      return v.back();
+  }
+  const auto frequency = dominant_frequency(curve.at, v);
+  if (!frequency) throw std::runtime_error("the history does not swing back, so it has no frequency");
+  return *frequency;
+}
+
+double signed_as(double value, SignRule rule) {
+  return rule == SignRule::as_is ? value : rule == SignRule::reversed ? -value : std::abs(value);
+}
+
+// Only a static state can be compared with the static limit.
+std::optional<double> limit_value(const QuantitySpec& quantity, const Scene& scene, const fem::StaticLimit& limit) {
+  const Observed& observed = quantity.observed;
+  const std::size_t c = component_index(observed.component);
+  if (const auto section = limit.sections.find(observed.section); section != limit.sections.end()) {
+    const auto& points = section->second;
+    return points.at(fibre(section_named(scene, observed.section), points.size(), quantity.reduce)).at(c) / observed.unit.factor;
+  }
+  const auto probe = limit.probes.find(observed.probe);
+  if (probe == limit.probes.end() || quantity.reduce != Reduce::final) return {};
+  return probe->second.at(c) / observed.unit.factor;
+}
+
+Point place_of(const QuantitySpec& quantity, const Scene& scene) {
+  const Observed& observed = quantity.observed;
+  if (!observed.section.empty()) {
+    const Section& section = section_named(scene, observed.section);
+    return fibre(section, 2, quantity.reduce) == 0 ? section.from : section.to;
+  }
+  for (const Probe& probe : scene.probes)
+    if (probe.name == observed.probe) return probe.point;
+  return {};
+}
+
+Reduced reduce_l2(const QuantitySpec& quantity, const RunResult& result, const Scene& scene, const fem::StaticLimit* limit) {
+  Observed si = quantity.observed;
+  si.unit = {"", 1};
+  const Curve curve = curve_of(si, result);
+  const Section& section = section_named(scene, si.section);
+  Reduced reduced{};
+  if (quantity.theory) {
+    std::vector<double> exact;
+    for (const double distance : curve.at)
+      exact.push_back(theory_named(*quantity.theory).value(scene, section_point(section, distance), 0));
+    reduced.error_percent = percent_l2(curve.at, curve.value, exact);
+  }
+  if (limit && limit->sections.contains(si.section)) {
+    std::vector<double> distance, value;
+    const auto& points = limit->sections.at(si.section);
+    const Point &a = section.from, &b = section.to;
+    const double length = std::hypot(b[0] - a[0], b[1] - a[1], b[2] - a[2]);
+    for (std::size_t i = 0; i < points.size(); ++i) {
+      distance.push_back(length * double(i) / double(points.size() - 1));
+      value.push_back(points[i].at(component_index(si.component)));
+    }
+    reduced.error_vs_limit_percent = percent_l2(curve.at, curve.value, resample(distance, value, curve.at));
+  }
+  const auto shown = reduced.error_percent ? reduced.error_percent : reduced.error_vs_limit_percent;
+  if (!shown) throw std::runtime_error("the profile to compare with is zero, or missing");
+  reduced.value = *shown;
+  return reduced;
+}
+
+}  // namespace
+
+Curve curve_of(const Observed& observed, const RunResult& result) {
+  Curve curve;
+  const Column* column = nullptr;
+  if (!observed.section.empty()) {
+    const auto found = result.profiles.find(observed.section);
+    if (found == result.profiles.end())
+      throw std::runtime_error(fmt::format("the run gave no profile of the section \"{}\"", observed.section));
+    curve.at = found->second.distance;
+    for (const Column& c : found->second.columns)
+      if (c.name == observed.component || c.name.ends_with("_" + observed.component)) column = &c;
+  } else {
+    const std::string name = observed.probe.empty() ? observed.column : observed.probe + "_" + observed.component;
+    if (result.history.has(name)) column = &result.history[name];
+    if (result.history.has("time")) curve.at = result.history["time"].values;
+  }
+  const std::string& place = observed.section.empty() ? observed.probe.empty() ? observed.column : observed.probe : observed.section;
+  if (!column || column->values.empty() || column->values.size() != curve.at.size())
+    throw std::runtime_error(fmt::format("the run gave no values of {} {}", place, observed.component));
+  for (const double v : column->values) curve.value.push_back(v / observed.unit.factor);
+  return curve;
+}
+
+const Section& section_named(const Scene& scene, const std::string& name) {
+  for (const Section& section : scene.sections)
+    if (section.name == name) return section;
+  throw std::runtime_error(fmt::format("the scene has no section \"{}\"", name));
+}
+
+Point section_point(const Section& section, double distance) {
+  const Point &a = section.from, &b = section.to;
+  const double length = std::hypot(b[0] - a[0], b[1] - a[1], b[2] - a[2]);
+  Point p;
+  for (int c = 0; c < 3; ++c) p[c] = a[c] + (b[c] - a[c]) * distance / length;
+  return p;
+}
+
+Reduced reduce(const QuantitySpec& quantity, const RunResult& result, const Scene& scene, const fem::StaticLimit* limit) {
+  if (quantity.reduce == Reduce::l2) return reduce_l2(quantity, result, scene, limit);
+  Observed observed = quantity.observed;
+  if (quantity.reduce == Reduce::frequency) observed.unit.factor = 1;  // the unit is that of the frequency
+  const Curve curve = curve_of(observed, result);
+  double value;
+  if (of_section(quantity.reduce))
+    value = curve.value[fibre(section_named(scene, observed.section), curve.value.size(), quantity.reduce)];
+  else
+    value = reduce_history(curve, quantity.reduce);
+  if (quantity.reduce == Reduce::frequency) value /= quantity.observed.unit.factor;
+  if (!std::isfinite(value)) throw std::runtime_error(fmt::format("{} is not a finite number", quantity.name));
+
+  Reduced reduced{signed_as(value, quantity.sign), {}, {}, {}, {}};
+  if (quantity.theory) {
+    const double exact = theory_named(*quantity.theory).value(scene, place_of(quantity, scene), 0) / quantity.observed.unit.factor;
+    reduced.theory = signed_as(exact, quantity.sign);
+    reduced.error_percent = percent_error(reduced.value, *reduced.theory);
+  }
+  if (limit) reduced.limit = limit_value(quantity, scene, *limit);
+  if (reduced.limit) {
+    reduced.limit = signed_as(*reduced.limit, quantity.sign);
+    reduced.error_vs_limit_percent = percent_error(reduced.value, *reduced.limit);
+  }
+  return reduced;
+}
+
+}  // namespace femsph::compare

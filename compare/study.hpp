@@ -1,0 +1,118 @@
+#pragma once
+// A study: a folder with study.toml, scene files, plot.gp and a README.md. It says which runs to make, what to take from them, what
+// to compare it with, and which claims to check. The format is described in studies/README.md.
+
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "compare/claims.hpp"
+#include "compare/run.hpp"
+#include "model/scene/faults.hpp"
+
+namespace femsph::compare {
+
+/// One run to make.
+struct PlannedRun {
+  std::string case_name, label;  ///< label: the method's name in tables
+  Method method;                 ///< with the study's overrides
+  Resolution resolution;
+  std::string scene;  ///< a key of Study::scenes
+  MarchOptions march;
+  bool quick = false;  ///< part of the quick form
+  int ladder = 0;      ///< runs of one [[runs]] table share it
+};
+
+/// A unit of the tables: one of it is `factor` SI units.
+struct Unit {
+  std::string name;
+  double factor = 1;
+};
+
+/// A column of the results: a component of a probe or of a section, or an energy.
+struct Observed {
+  std::string probe, section, column;  ///< exactly one of them is named
+  std::string component;
+  Unit unit;
+};
+
+enum class Reduce { final, max, min, peak, mean, frequency, fibre_upper, fibre_lower, l2 };
+enum class SignRule { as_is, reversed, magnitude };
+
+/// A number to take from every run.
+struct QuantitySpec {
+  std::string name;
+  Observed observed;
+  Reduce reduce = Reduce::final;
+  SignRule sign = SignRule::as_is;    ///< how value, theory and limit are shown
+  std::optional<std::string> theory;  ///< name of a theory value
+  std::optional<std::string> scene;   ///< only of runs of that scene
+};
+
+/// A number that the paper reports.
+struct PaperNumber {
+  RowFilter rows;
+  std::optional<double> value;          ///< in the quantity's unit
+  std::optional<double> error_percent;  ///< as the paper states it
+  std::string source;
+};
+
+/// A data file for figures.
+struct SeriesSpec {
+  enum class Kind { error, cases, history, profile } kind = Kind::error;
+  std::string file;
+  std::string quantity;                     ///< error, cases
+  Reference reference = Reference::theory;  ///< error, cases
+  Observed observed;                        ///< history, profile
+  Unit time_unit{"ms", 1e-3};               ///< history
+  std::optional<std::string> theory;        ///< history, profile: a column of theory
+  std::vector<std::string> cases, methods;  ///< empty: all
+  std::optional<std::string> scene;         ///< whose theory; default: the first run's
+};
+
+/// The converged static solution to compare with.
+struct LimitSpec {
+  std::array<int, 3> divisions{};
+  int degree = 4;
+};
+
+struct Study {
+  std::string name, title, folder, file;
+  std::map<std::string, Scene> scenes;  ///< by their file's name
+  std::vector<PlannedRun> runs;
+  std::vector<QuantitySpec> quantities;
+  std::vector<PaperNumber> paper;
+  std::vector<SeriesSpec> series;
+  std::optional<LimitSpec> limit;
+  std::vector<Study> collected;  ///< run too; their rows are this study's
+  std::vector<Claim> claims;
+};
+
+/// Reads a study and its scenes, and finds everything wrong with study.toml in one go. Throws InputError.
+Study read_study(const std::string& file);
+/// The same from memory; scenes are looked for beside `file`.
+Study parse_study(const std::string& text, const std::string& file);
+
+/// `femsph study NAME|FILE`.
+struct StudyCommand {
+  std::string name;             ///< a study's name, its folder, or its study.toml
+  std::string out = "results";  ///< the study writes OUT/NAME/
+  bool quick = false;
+  int threads = 1;
+  bool update_readme = false;  ///< rewrite the table in the study's README.md
+  std::string program;         ///< argv[0], to find the studies that come with the program
+  std::string command;         ///< the command line, for the records
+};
+
+/// Runs a study and writes its tables, data and figures. Returns the exit code: 0, or 3 when a run, a figure or a claim's row is missing.
+/// Throws InputError or std::runtime_error when the study cannot be started or its results cannot be written.
+int study_command(const StudyCommand& command);
+
+/// `femsph list`: the studies found, the methods and the theory values. Returns 0.
+int list_command(const std::string& program);
+
+/// The folder that holds the studies: $FEMSPH_STUDIES, else ./studies, else ../../studies beside the program. Throws std::runtime_error.
+std::string studies_folder(const std::string& program);
+
+}  // namespace femsph::compare

@@ -1,0 +1,181 @@
+// `femsph study` and `femsph list`: finds a study, runs it, writes what it gives.
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cstdlib>
+#include <filesystem>
+#include <stdexcept>
+
+#include "compare/figures.hpp"
+#include "compare/readme.hpp"
+#include "compare/series.hpp"
+#include "compare/theory.hpp"
+#include "model/numerics/parallel.hpp"
+#include "model/scene/toml_fields.hpp"
+
+namespace femsph::compare {
+namespace {
+
+namespace fs = std::filesystem;
+
+void print(const std::string& line) {
+  fmt::print("{}\n", line);
+  std::fflush(stdout);
+}
+
+void complain(const std::string& line) { fmt::print(stderr, "femsph: {}\n", line); }
+
+std::vector<std::string> studies_in(const std::string& folder) {
+  std::vector<std::string> names;
+  std::error_code ignored;
+  for (const auto& entry : fs::directory_iterator(folder, ignored))
+    if (fs::exists(entry.path() / "study.toml", ignored)) names.push_back(entry.path().filename().string());
+  std::sort(names.begin(), names.end());
+  return names;
+}
+
+// A study.toml, a folder that holds one, or the name of a study.
+std::string study_file(const StudyCommand& command) {
+  if (fs::is_regular_file(command.name)) return command.name;
+  if (fs::is_regular_file(fs::path(command.name) / "study.toml")) return (fs::path(command.name) / "study.toml").string();
+  const std::string folder = studies_folder(command.program);
+  const auto names = studies_in(folder);
+  if (std::find(names.begin(), names.end(), command.name) == names.end())
+    throw std::runtime_error(fmt::format("no study is called {}; expected a folder or one of {} in {}{}", in_quotes(command.name),
+                                         one_of(names), folder, did_you_mean(command.name, names)));
+  return (fs::path(folder) / command.name / "study.toml").string();
+}
+
+void make_folder(const fs::path& folder) {
+  std::error_code failed;
+  fs::create_directories(folder, failed);
+  if (failed) throw std::runtime_error(fmt::format("cannot make the folder {}: {}", folder.string(), failed.message()));
+}
+
+void write_tables(const std::vector<Row>& rows, const fs::path& folder) {
+  const auto orders = orders_of(rows);
+  write_text(csv(rows), (folder / "table.csv").string());
+  write_text(markdown(rows, orders), (folder / "table.md").string());
+  write_text(csv(orders), (folder / "orders.csv").string());
+}
+
+int write_figures(const Study& study, const fs::path& folder) {
+  const fs::path script = fs::path(study.folder) / "plot.gp";
+  if (!fs::exists(script)) return 0;
+  try {
+    make_figures(script.string(), (fs::path(study.folder) / ".." / "style.gp").string(), (folder / "data").string(), folder.string());
+    return 0;
+  } catch (const std::runtime_error& e) {
+    complain(e.what());
+    return 1;
+  }
+}
+
+int write_series(const Study& study, const StudyOutcome& outcome, const fs::path& folder) {
+  int failures = 0;
+  for (const SeriesSpec& series : study.series) {
+    try {
+      write_text(series_csv(series, study, outcome), (folder / "data" / series.file).string());
+    } catch (const std::runtime_error& e) {
+      complain(fmt::format("{}: the series {} is missing: {}", study.name, series.file, e.what()));
+      ++failures;
+    }
+  }
+  return failures;
+}
+
+int write_claims(const Study& study, const std::vector<Row>& rows, bool quick, const fs::path& folder, std::string& table) {
+  if (study.claims.empty()) return 0;
+  const auto verdicts = judge(study.claims, rows);
+  write_text(csv(verdicts), (folder / "claims.csv").string());
+  write_text(markdown(verdicts), (folder / "claims.md").string());
+  table = markdown(verdicts) + "\n" + table;
+  int unknown = 0;
+  for (const Verdict& verdict : verdicts) {
+    if (verdict.holds != Verdict::Holds::unknown || quick) continue;
+    complain(fmt::format("claim {}: {}", verdict.claim->id, verdict.note));
+    ++unknown;
+  }
+  return unknown;
+}
+
+void update_readme(const Study& study, const std::string& table) {
+  const std::string file = (fs::path(study.folder) / "README.md").string();
+  try {
+    write_text(with_table(read_text_file(file, "the study's README.md"), table), file);
+  } catch (const InputError&) {
+    throw;
+  } catch (const std::runtime_error& e) {
+    throw std::runtime_error(fmt::format("{}: {}", file, e.what()));
+  }
+}
+
+// Runs a study and those it collects; appends the rows and counts what is missing.
+int run_one(const Study& study, const StudyCommand& command, const Engine& engine, std::vector<Row>& rows) {
+  const fs::path top = fs::path(command.out) / study.name;
+  make_folder(study.series.empty() ? top : top / "data");
+  int failures = 0;
+  std::vector<Row> own;
+  for (const Study& other : study.collected) failures += run_one(other, command, engine, own);
+
+  StudyOptions options{command.quick, command.command, print, [&](const StudyOutcome& so_far) { write_tables(so_far.rows, top); }};
+  const StudyOutcome outcome = run_study(study, engine, options);
+  failures += outcome.failures;
+  own.insert(own.end(), outcome.rows.begin(), outcome.rows.end());
+  write_tables(own, top);
+  failures += write_series(study, outcome, top);
+  std::string table = markdown(own, orders_of(own));
+  failures += write_claims(study, own, command.quick, top, table);
+  failures += write_figures(study, top);
+  if (command.update_readme) update_readme(study, table);
+  print(fmt::format("{}: {}", study.name, (top / "table.md").string()));
+  rows.insert(rows.end(), own.begin(), own.end());
+  return failures;
+}
+
+}  // namespace
+
+std::string studies_folder(const std::string& program) {
+  std::error_code ignored;
+  if (const char* given = std::getenv("FEMSPH_STUDIES"); given && *given) {
+    if (fs::is_directory(given, ignored)) return given;
+    throw std::runtime_error(fmt::format("FEMSPH_STUDIES is {}, which is no folder", in_quotes(given)));
+  }
+  if (fs::is_directory("studies", ignored)) return "studies";
+  fs::path beside = fs::read_symlink("/proc/self/exe", ignored);
+  if (beside.empty()) beside = program;
+  beside = (beside.parent_path() / ".." / ".." / "studies").lexically_normal();
+  if (fs::is_directory(beside, ignored)) return beside.string();
+  throw std::runtime_error("no folder of studies; expected ./studies, or its path in the environment variable FEMSPH_STUDIES");
+}
+
+int study_command(const StudyCommand& command) { return study_command(command, {run_scene, fem::static_limit}); }
+
+int study_command(const StudyCommand& command, const Engine& engine) {
+  const Study study = read_study(study_file(command));
+  if (command.update_readme && command.quick)
+    throw std::runtime_error("--update-readme with --quick; expected the full study, whose numbers a README states");
+  set_threads(command.threads);
+  std::vector<Row> rows;
+  return run_one(study, command, engine, rows) == 0 ? 0 : 3;
+}
+
+int list_command(const std::string& program) {
+  const std::string folder = studies_folder(program);
+  print(fmt::format("studies in {}:", folder));
+  for (const std::string& name : studies_in(folder)) {
+    try {
+      print(fmt::format("  {:<12} {}", name, read_study((fs::path(folder) / name / "study.toml").string()).title));
+    } catch (const InputError&) {
+      print(fmt::format("  {:<12} (its study.toml has faults: femsph study {} tells)", name, name));
+    }
+  }
+  print("\nmethods:");
+  for (const Method& method : methods()) print("  " + method.name);
+  print("\ntheory values:");
+  for (const Theory& theory : theories()) print(fmt::format("  {:<31} {:<4} {}", theory.name, theory.unit, theory.formula));
+  return 0;
+}
+
+}  // namespace femsph::compare

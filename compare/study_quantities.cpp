@@ -1,0 +1,225 @@
+// [[quantities]] and [[series]] of a study: what to take from a run.
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cctype>
+
+#include "compare/study_reading.hpp"
+#include "compare/theory.hpp"
+#include "model/scene/units.hpp"
+
+namespace femsph::compare {
+namespace {
+
+const std::vector<std::pair<std::string, Reduce>> reductions = {{"final", Reduce::final},
+                                                                {"max", Reduce::max},
+                                                                {"min", Reduce::min},
+                                                                {"peak", Reduce::peak},
+                                                                {"mean", Reduce::mean},
+                                                                {"frequency", Reduce::frequency},
+                                                                {"fibre_upper", Reduce::fibre_upper},
+                                                                {"fibre_lower", Reduce::fibre_lower},
+                                                                {"l2", Reduce::l2}};
+const std::vector<std::pair<std::string, SignRule>> signs = {
+    {"as-is", SignRule::as_is}, {"reversed", SignRule::reversed}, {"magnitude", SignRule::magnitude}};
+const std::vector<std::string> energies = {"kinetic", "strain", "hourglass", "external", "damping", "viscosity"};
+
+bool of_section(Reduce reduce) { return reduce == Reduce::fibre_upper || reduce == Reduce::fibre_lower || reduce == Reduce::l2; }
+
+const char* si_unit(Quantity quantity) {
+  switch (quantity) {
+    case Quantity::displacement:
+      return "m";
+    case Quantity::velocity:
+      return "m/s";
+    case Quantity::stress:
+      return "Pa";
+    case Quantity::strain:
+      break;
+  }
+  return "1";
+}
+
+std::vector<std::string> components(Quantity quantity) {
+  const bool vector = quantity == Quantity::displacement || quantity == Quantity::velocity;
+  return vector ? std::vector<std::string>{"x", "y", "z"} : std::vector<std::string>{"xx", "yy", "zz", "xy", "yz", "zx"};
+}
+
+template <class T>
+std::optional<Quantity> observer(const std::vector<T>& list, const std::string& name) {
+  const auto found = std::find_if(list.begin(), list.end(), [&](const T& o) { return o.name == name; });
+  return found == list.end() ? std::nullopt : std::optional(found->quantity);
+}
+
+// The probe or section must be in every scene that `scene` names: all of them when it names none.
+std::optional<Quantity> find_observer(Fields& fields, const char* key, const std::string& name, const std::optional<std::string>& scene,
+                                      const Study& study) {
+  std::optional<Quantity> quantity;
+  const bool section = std::string(key) == "section";
+  for (const auto& [file, read] : study.scenes) {
+    if (scene && *scene != file) continue;
+    quantity = section ? observer(read.sections, name) : observer(read.probes, name);
+    if (quantity) continue;
+    std::vector<std::string> names;
+    if (section)
+      for (const Section& s : read.sections) names.push_back(s.name);
+    else
+      for (const Probe& p : read.probes) names.push_back(p.name);
+    fields.fault(key, fmt::format("no {} is called {} in {}{}{}", key, in_quotes(name), file,
+                                  names.empty() ? "" : "; expected " + one_of(names), did_you_mean(name, names)));
+    return {};
+  }
+  return quantity;
+}
+
+Unit read_unit(Fields& fields, const char* key, const std::optional<std::string>& name, const std::string& si) {
+  if (!name) return {si, 1};
+  try {
+    return unit_named(*name, si);
+  } catch (const std::invalid_argument&) {
+    fields.fault(key, fmt::format("\"{}\" is {}; expected a unit of the same kind as {}", key, in_quotes(*name), in_quotes(si)));
+    return {*name, 1};
+  }
+}
+
+Observed read_observed(Fields& fields, const std::optional<std::string>& scene, const std::string& si_of_reduced, const Study& study) {
+  Observed observed;
+  const auto probe = fields.text("probe", Need::optional), section = fields.text("section", Need::optional);
+  const auto energy = fields.text("energy", Need::optional);
+  const auto component = fields.text("component", Need::optional);
+  const auto unit = fields.text("unit", Need::optional, "a unit such as \"mm\"");
+  observed.probe = probe.value_or("");
+  observed.section = section.value_or("");
+  observed.column = energy.value_or("");
+  if (probe.has_value() + section.has_value() + energy.has_value() != 1) {
+    fields.fault("probe", "expected one of \"probe\", \"section\" and \"energy\" in " + fields.name());
+    return observed;
+  }
+  std::string si = "J";
+  if (energy && std::find(energies.begin(), energies.end(), *energy) == energies.end())
+    fields.fault("energy",
+                 fmt::format("unknown energy {}; expected {}{}", in_quotes(*energy), one_of(energies), did_you_mean(*energy, energies)));
+  if (!energy) {
+    const char* key = probe ? "probe" : "section";
+    const auto quantity = find_observer(fields, key, probe ? *probe : *section, scene, study);
+    if (!quantity) return observed;
+    const auto known = components(*quantity);
+    observed.component = component.value_or("");
+    if (std::find(known.begin(), known.end(), observed.component) == known.end())
+      fields.fault(component ? "component" : key,
+                   fmt::format("the component is {}; expected {}", in_quotes(observed.component), one_of(known)));
+    si = si_unit(*quantity);
+  }
+  observed.unit = read_unit(fields, "unit", unit, si_of_reduced.empty() ? si : si_of_reduced);
+  return observed;
+}
+
+// The theory must be able to speak of every scene that it will be asked for: better said now than after the runs.
+std::optional<std::string> read_theory(Fields& fields, const std::optional<std::string>& scene, const Study& study) {
+  const auto name = fields.text("theory", Need::optional, "the name of a theory value");
+  if (!name) return {};
+  try {
+    for (const auto& [file, read] : study.scenes)
+      if (!scene || *scene == file) theory_named(*name).value(read, read.bodies[0].shape->lower(), 0);
+    return theory_named(*name).name;
+  } catch (const std::runtime_error& e) {
+    fields.fault("theory", e.what());
+    return {};
+  }
+}
+
+std::optional<std::string> read_scene_name(Fields& fields, const Study& study) {
+  const auto name = fields.text("scene", Need::optional, "the file of a scene that a run uses");
+  std::vector<std::string> known;
+  for (const auto& [file, scene] : study.scenes) known.push_back(file);
+  if (!name || study.scenes.contains(*name)) return name;
+  fields.fault("scene",
+               fmt::format("no run uses the scene {}; expected {}{}", in_quotes(*name), one_of(known), did_you_mean(*name, known)));
+  return {};
+}
+
+void one_quantity(Fields& fields, StudyReading& reading) {
+  QuantitySpec quantity;
+  quantity.name = fields.text("name", Need::required, "a name for the tables").value_or("");
+  quantity.scene = read_scene_name(fields, reading.study);
+  const auto reduce = fields.choice<Reduce>("reduce", Need::optional, reductions);
+  quantity.reduce = reduce.value_or(Reduce::final);
+  const std::string si = quantity.reduce == Reduce::frequency ? "Hz" : quantity.reduce == Reduce::l2 ? "1" : "";
+  quantity.observed = read_observed(fields, quantity.scene, si, reading.study);
+  if (quantity.reduce == Reduce::l2) quantity.observed.unit = {"%", 1};
+  quantity.sign = fields.choice<SignRule>("sign", Need::optional, signs).value_or(SignRule::as_is);
+  quantity.theory = read_theory(fields, quantity.scene, reading.study);
+  fields.done();
+  if (quantity.observed.section.empty() == of_section(quantity.reduce))
+    fields.fault(
+        "reduce",
+        "\"reduce\" does not fit; expected fibre_upper, fibre_lower or l2 for a section, and one of the others for a probe or an energy");
+  if (quantity.theory && theory_named(*quantity.theory).on_time())
+    fields.fault("theory", "a theory that depends on time; expected one value (a history goes into [[series]])");
+  if (quantity.reduce == Reduce::l2 && !quantity.theory && !reading.study.limit)
+    fields.fault("reduce", "l2 has nothing to compare with; expected \"theory\", or [limit] in the study");
+  reading.study.quantities.push_back(quantity);
+}
+
+std::string read_file_name(Fields& fields) {
+  const std::string expected = "a file name of letters, digits, ., _ and -, ending in .csv";
+  const auto file = fields.text("file", Need::required, expected);
+  if (!file) return "";
+  const auto allowed = [](unsigned char c) { return c < 0x80 && (std::isalnum(c) || c == '_' || c == '-' || c == '.'); };
+  if (!std::all_of(file->begin(), file->end(), allowed) || !file->ends_with(".csv") || file->starts_with("."))
+    fields.fault("file", fmt::format("\"file\" is {}; expected {}", in_quotes(*file), expected));
+  return *file;
+}
+
+void one_series(Fields& fields, StudyReading& reading) {
+  using Kind = SeriesSpec::Kind;
+  const Study& study = reading.study;
+  SeriesSpec series;
+  series.file = read_file_name(fields);
+  series.kind = fields
+                    .choice<Kind>("kind", Need::required,
+                                  {{"error", Kind::error}, {"cases", Kind::cases}, {"history", Kind::history}, {"profile", Kind::profile}})
+                    .value_or(Kind::error);
+  series.cases = read_names(fields, "cases", case_names(study), "case");
+  series.methods = read_names(fields, "methods", method_labels(study), "method");
+  if (series.kind == Kind::error || series.kind == Kind::cases) {
+    const auto known = quantity_names(study);
+    series.quantity = fields.text("quantity", Need::required, one_of(known)).value_or("");
+    series.reference = fields.choice<Reference>("reference", Need::optional, {{"theory", Reference::theory}, {"limit", Reference::limit}})
+                           .value_or(Reference::theory);
+    if (!series.quantity.empty() && std::find(known.begin(), known.end(), series.quantity) == known.end())
+      fields.fault("quantity", fmt::format("unknown quantity {}; expected {}{}", in_quotes(series.quantity), one_of(known),
+                                           did_you_mean(series.quantity, known)));
+  } else {
+    series.scene = read_scene_name(fields, study);
+    series.observed = read_observed(fields, series.scene, "", study);
+    series.theory = read_theory(fields, series.scene, study);
+    if (series.kind == Kind::history)
+      series.time_unit = read_unit(fields, "time_unit", fields.text("time_unit", Need::optional).value_or("ms"), "s");
+    if (series.observed.section.empty() == (series.kind == Kind::profile))
+      fields.fault("kind", "\"kind\" does not fit; expected \"profile\" with a section, \"history\" with a probe or an energy");
+  }
+  fields.done();
+  reading.study.series.push_back(series);
+}
+
+}  // namespace
+
+Unit unit_named(const std::string& name, const std::string& si) {
+  if (si != "1") return {name, to_si("1 " + name, Dimension{si.c_str(), "a quantity", si.c_str()})};
+  if (name == "1") return {name, 1};
+  if (name == "%") return {name, 0.01};
+  if (name == "1e-6") return {name, 1e-6};
+  throw std::invalid_argument("expected \"1\", \"%\" or \"1e-6\"");
+}
+
+void read_quantities(Fields& root, StudyReading& reading) {
+  for (Fields& fields : root.tables("quantities")) one_quantity(fields, reading);
+}
+
+void read_series(Fields& root, StudyReading& reading) {
+  for (Fields& fields : root.tables("series")) one_series(fields, reading);
+}
+
+}  // namespace femsph::compare

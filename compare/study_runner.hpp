@@ -1,0 +1,40 @@
+#pragma once
+// Makes the runs of a study and takes its numbers from them.
+
+#include <functional>
+
+#include "compare/study.hpp"
+
+namespace femsph::compare {
+
+/// What a study computes with; tests put something else in its place.
+struct Engine {
+  std::function<RunResult(const Scene&, const Method&, const Resolution&, const RunOptions&)> run;
+  std::function<fem::StaticLimit(const Scene&, const std::array<int, 3>& divisions, int degree)> limit;
+};
+
+struct FinishedRun {
+  const PlannedRun* plan;
+  RunResult result;
+};
+
+struct StudyOutcome {
+  std::vector<Row> rows;
+  std::vector<FinishedRun> runs;  ///< those that finished
+  int failures = 0;
+};
+
+struct StudyOptions {
+  bool quick = false;
+  std::string command;                                 ///< for the records
+  std::function<void(const std::string& line)> log;    ///< one line for each run
+  std::function<void(const StudyOutcome&)> after_run;  ///< so that what is there is kept, whatever comes
+};
+
+/// One run after the other. A run that fails becomes rows with a reason, and the study goes on.
+StudyOutcome run_study(const Study& study, const Engine& engine, const StudyOptions& options);
+
+/// study_command with another engine.
+int study_command(const StudyCommand& command, const Engine& engine);
+
+}  // namespace femsph::compare

@@ -1,0 +1,56 @@
+#pragma once
+// The tidy table of a study: one row for each run and quantity; and the orders its ladders show.
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace femsph::compare {
+
+/// Empty optionals are unknown: empty cells. Value, theory, limit and paper are in `unit`; errors are in percent of the reference,
+/// positive when the value is larger in magnitude.
+struct Row {
+  std::string study, case_name, method;
+  std::optional<double> spacing_mm, cells_over_height;
+  std::string quantity;
+  std::optional<double> value;
+  std::string unit;
+  std::optional<double> theory, error_percent, limit, error_vs_limit_percent, paper, paper_error_percent;
+  std::optional<double> steps, dt_s, cpu_s, wall_s, threads, points, ns_per_unit_step, energy_imbalance_percent, momentum_error;
+  std::optional<bool> settled;
+  std::string failure;  ///< why there is no value
+  int ladder = 0;       ///< rows of one ladder of spacings share it; not written
+};
+
+/// What one ladder (study, method, quantity) shows against one reference.
+struct Order {
+  std::string study, method, quantity, reference;  ///< reference: "theory" or "limit"
+  std::vector<double> spacings_mm;                 ///< coarse to fine
+  std::vector<double> pairwise;                    ///< observed order of neighbouring rungs
+  std::optional<double> observed;                  ///< least squares over the ladder
+  std::optional<double> extrapolated;              ///< Richardson's limit of the three finest, in `unit`
+  std::string unit;
+};
+
+enum class Reference { theory, limit };
+/// The error of a row against a reference, percent.
+std::optional<double> error_of(const Row& row, Reference reference);
+
+/// The ladders among the rows, in their order; those with fewer than two spacings are left out.
+std::vector<Order> orders_of(const std::vector<Row>& rows);
+
+/// RFC 4180, with a header line. A number has ten significant digits; an unknown cell is empty.
+std::string csv(const std::vector<Row>& rows);
+std::string csv(const std::vector<Order>& orders);
+/// One cell by RFC 4180: quoted where it must be.
+std::string csv_cell(const std::string& text);
+std::string csv_number(double value);
+
+/// For people: one aligned table for each quantity, rounded; then the orders and the failures.
+std::string markdown(const std::vector<Row>& rows, const std::vector<Order>& orders);
+/// Aligned Markdown; the first line of `cells` is the header. Columns that are empty below it are left out.
+std::string markdown_table(const std::vector<std::vector<std::string>>& cells);
+/// Rounded to significant digits, without an exponent between 1e-4 and 1e6.
+std::string rounded(double value, int digits = 4);
+
+}  // namespace femsph::compare

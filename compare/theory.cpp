@@ -1,0 +1,98 @@
+#include "compare/theory.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <stdexcept>
+
+#include "compare/beam.hpp"
+#include "model/scene/faults.hpp"
+
+namespace femsph::compare {
+namespace {
+
+using Depends = Theory::Depends;
+
+/// A value of the loaded box, and where it is asked for: x from the held end, y from the middle of the height.
+using BoxValue = std::function<double(const LoadedBox&, double x, double y, double time)>;
+
+Theory from(LoadedBox (*box_of)(const Scene&), const char* name, const char* unit, const char* formula, Depends depends, BoxValue value) {
+  return {name, unit, formula, depends, [box_of, value](const Scene& scene, const Point& at, double time) {
+            const LoadedBox box = box_of(scene);
+            return value(box, at[0] - box.origin[0], at[1] - box.origin[1] - box.height / 2, time);
+          }};
+}
+
+Theory bar(const char* name, const char* unit, const char* formula, Depends depends, BoxValue value) {
+  return from(bar_of, name, unit, formula, depends, std::move(value));
+}
+
+Theory cantilever(const char* name, const char* unit, const char* formula, Depends depends, BoxValue value) {
+  return from(cantilever_of, name, unit, formula, depends, std::move(value));
+}
+
+using B = LoadedBox;
+
+// E is Young's modulus in plane stress and in 3D, and E/(1 - nu^2) in plane strain, for every value below.
+std::vector<Theory> all() {
+  return {
+      bar("bar_stress", "Pa", "F/A", Depends::on_nothing, [](const B& b, double, double, double) { return b.force[0] / b.area(); }),
+      bar("bar_strain", "1", "F/(E A)", Depends::on_nothing,
+          [](const B& b, double, double, double) { return b.force[0] / (b.young * b.area()); }),
+      bar("bar_displacement", "m", "F L/(E A), of the loaded end", Depends::on_nothing,
+          [](const B& b, double, double, double) { return bar_displacement(b, b.length); }),
+      bar("bar_displacement_at", "m", "F x/(E A)", Depends::on_place,
+          [](const B& b, double x, double, double) { return bar_displacement(b, x); }),
+      bar("bar_period", "s", "4 L/c, c = sqrt(E/rho)", Depends::on_nothing,
+          [](const B& b, double, double, double) { return bar_period(b); }),
+      bar("bar_frequency", "Hz", "c/(4 L)", Depends::on_nothing, [](const B& b, double, double, double) { return 1 / bar_period(b); }),
+      bar("bar_peak", "m", "2 F L/(E A): twice the static displacement, under a step load", Depends::on_nothing,
+          [](const B& b, double, double, double) { return bar_end_history(b, bar_period(b) / 2); }),
+      bar("bar_displacement_history", "m", "triangle of period 4 L/c between 0 and 2 F L/(E A), of the loaded end", Depends::on_time,
+          [](const B& b, double, double, double t) { return bar_end_history(b, t); }),
+      bar("bar_stress_history", "Pa", "fronts of F/A that start at the loaded end", Depends::on_place_and_time,
+          [](const B& b, double x, double, double t) { return bar_stress_history(b, x, t); }),
+      cantilever("cantilever_tip", "m", "P L^3/(3 E I), Euler-Bernoulli", Depends::on_nothing,
+                 [](const B& b, double, double, double) { return cantilever_deflection(b, b.length); }),
+      cantilever("cantilever_tip_timoshenko", "m", "P L^3/(3 E I) + P L/(kappa G A), kappa = 5/6", Depends::on_nothing,
+                 [](const B& b, double, double, double) { return cantilever_deflection_timoshenko(b, b.length); }),
+      cantilever("cantilever_deflection", "m", "P x^2 (3 L - x)/(6 E I)", Depends::on_place,
+                 [](const B& b, double x, double, double) { return cantilever_deflection(b, x); }),
+      cantilever("cantilever_stress", "Pa", "sigma_xx = -P (L - x) y/I", Depends::on_place,
+                 [](const B& b, double x, double y, double) { return cantilever_stress(b, x, y); }),
+      cantilever("cantilever_strain", "1", "eps_xx = -P (L - x) y/(E I)", Depends::on_place,
+                 [](const B& b, double x, double y, double) { return cantilever_stress(b, x, y) / b.young; }),
+      cantilever("cantilever_frequency", "Hz", "1.875104^2/(2 pi L^2) sqrt(E I/(rho A))", Depends::on_nothing,
+                 [](const B& b, double, double, double) { return cantilever_frequency(b); }),
+      cantilever("cantilever_tip_history", "m", "step response as a sum of ten modes", Depends::on_time,
+                 [](const B& b, double, double, double t) { return cantilever_tip_history(b, t); }),
+      cantilever("cantilever_tip_peak", "m", "largest magnitude of cantilever_tip_history within the scene's duration", Depends::on_nothing,
+                 [](const B& b, double, double, double) { return cantilever_tip_peak(b); }),
+      cantilever("cantilever_root_moment_history", "N m", "step response as a sum of ten modes", Depends::on_time,
+                 [](const B& b, double, double, double t) { return cantilever_root_moment_history(b, t); }),
+      cantilever("cantilever_root_moment_peak", "N m", "largest magnitude of it within the scene's duration", Depends::on_nothing,
+                 [](const B& b, double, double, double) { return cantilever_root_moment_peak(b); }),
+  };
+}
+
+}  // namespace
+
+const std::vector<Theory>& theories() {
+  static const std::vector<Theory> list = all();
+  return list;
+}
+
+std::vector<std::string> theory_names() {
+  std::vector<std::string> names;
+  for (const Theory& theory : theories()) names.push_back(theory.name);
+  return names;
+}
+
+const Theory& theory_named(const std::string& name) {
+  for (const Theory& theory : theories())
+    if (theory.name == name) return theory;
+  throw std::runtime_error(
+      fmt::format("no theory is called {}; expected {}{}", in_quotes(name), one_of(theory_names()), did_you_mean(name, theory_names())));
+}
+
+}  // namespace femsph::compare

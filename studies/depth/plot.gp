@@ -1,0 +1,28 @@
+load style
+methods = "sph-classic-full sph-classic-share sph-corrected"
+
+set output figure("fig19-tip-error")
+set style data histogram
+set style histogram clustered gap 1
+set style fill solid 0.85 border -1
+set xlabel "depth of the beam (d = 2.5 mm: 11, 6 and 3 particles)"
+set ylabel "error of the tip's deflection, %"
+set xtics noenhanced
+set yrange [* < 0 : 0 < *]
+if (has("fig19-tip-error")) {
+  plot for [m in methods] file("fig19-tip-error") using m:xtic(1) ls style_of(m) lw 0.5 dt 1 title m, \
+       0 with lines ls 20 title "beam theory"
+}
+
+set style data lines
+set output figure("fig19-tip")
+cases = "'25 mm' '12.5 mm' '5 mm'"
+set xtics autofreq
+set autoscale y
+set xlabel "time, ms"
+set ylabel "deflection of the tip, mm"
+set title "sph-classic-full"
+if (has("fig19-tip")) {
+  plot for [i = 1:words(cases)] file("fig19-tip") using "time_ms":word(cases, i) with lines ls 30 + i title word(cases, i), \
+       file("fig19-tip") using "time_ms":"theory" with lines ls 20 title "beam theory"
+}

@@ -1,0 +1,180 @@
+// Study files, good and bad: every slip is found, placed and explained.
+
+#include <gmock/gmock.h>
+
+#include "compare/study.hpp"
+#include "compare_support.hpp"
+
+namespace femsph::compare {
+namespace {
+
+using ::testing::AllOf;
+using ::testing::HasSubstr;
+using namespace testing;
+
+const std::string good = R"(title = "A study"
+[limit]
+divisions = "40x4"
+degree = 2
+[[runs]]
+cases = ["1_1", "1_2"]
+methods = ["fem-full", "fem-sri"]
+divisions = ["20x2", "40x4"]
+quick = ["1_1"]
+[[runs]]
+methods = ["sph-corrected"]
+spacing = ["20 mm", "2.5 mm"]
+options = {smoothing = 1.2, kernel = "wendland-c2"}
+safety = 0.5
+[[quantities]]
+name = "tip_displacement"
+probe = "tip"
+component = "y"
+unit = "mm"
+sign = "reversed"
+theory = "cantilever_tip"
+[[quantities]]
+name = "stress_l2"
+section = "inner"
+component = "xx"
+reduce = "l2"
+theory = "cantilever_stress"
+[[paper]]
+cases = ["1_2"]
+quantity = "tip_displacement"
+value = "0.4765 cm"
+source = "fig 14"
+[[series]]
+file = "tip.csv"
+kind = "history"
+cases = ["1_1"]
+probe = "tip"
+component = "y"
+unit = "mm"
+theory = "cantilever_tip"
+[[claims]]
+id = "c"
+source = "fig 14"
+text = "it bends"
+kind = "below"
+rows = {cases = ["1_1"], method = "fem-full", quantity = "tip_displacement"}
+bound = 10
+)";
+
+class StudyReader : public ::testing::Test {
+ protected:
+  Folder folder{"reader"};
+  std::string file = folder.write("beam/study.toml", good);
+  void SetUp() override { folder.write("beam/scene.toml", cantilever_toml); }
+
+  Study read(const std::string& text) { return parse_study(text, file); }
+  std::string message(const std::string& text) {
+    try {
+      read(text);
+    } catch (const InputError& e) {
+      std::string all = e.what();
+      for (std::size_t at; (at = all.find(file)) != std::string::npos;) all.replace(at, file.size(), "study.toml");
+      return all;
+    }
+    return "";
+  }
+  static std::string with(std::string text, const std::string& old, const std::string& instead) {
+    const auto at = text.find(old);
+    EXPECT_NE(at, std::string::npos) << old;
+    return text.replace(at, old.size(), instead);
+  }
+};
+
+TEST_F(StudyReader, ReadsAGoodFile) {
+  const Study study = read_study(file);
+  EXPECT_EQ(study.name, "beam");
+  ASSERT_EQ(study.runs.size(), 6u);
+  EXPECT_EQ(study.runs[0].case_name, "1_1");
+  EXPECT_EQ(study.runs[1].label, "fem-sri");
+  EXPECT_TRUE(study.runs[1].quick);
+  EXPECT_FALSE(study.runs[2].quick);
+  EXPECT_EQ(study.runs[2].resolution.divisions, (std::array<int, 3>{40, 4, 0}));
+  EXPECT_EQ(study.runs[5].case_name, "d=2.5mm");
+  EXPECT_DOUBLE_EQ(study.runs[5].resolution.spacing, 2.5e-3);
+  EXPECT_EQ(study.runs[5].label, "sph-corrected smoothing=1.2 kernel=wendland-c2");
+  EXPECT_DOUBLE_EQ(std::get<sph::Options>(study.runs[5].method.options).smoothing, 1.2);
+  EXPECT_EQ(std::get<sph::Options>(study.runs[5].method.options).kernel, sph::KernelKind::wendland_c2);
+  EXPECT_DOUBLE_EQ(study.runs[5].march.safety, 0.5);
+  EXPECT_NE(study.runs[0].ladder, study.runs[5].ladder);
+  EXPECT_DOUBLE_EQ(study.quantities[0].observed.unit.factor, 1e-3);
+  EXPECT_EQ(study.quantities[1].observed.unit.name, "%");
+  EXPECT_NEAR(*study.paper[0].value, 4.765, 1e-12);  // in the quantity's unit
+  EXPECT_EQ(study.limit->degree, 2);
+  EXPECT_EQ(study.claims[0].rows.cases, std::vector<std::string>{"1_1"});
+}
+
+TEST_F(StudyReader, FindsAllFaultsAtOnceWithTheirPlaces) {
+  std::string text = with(good, "\"fem-sri\"", "\"fem-sir\"");
+  text = with(text, "safety = 0.5", "saftey = 0.5");
+  text = with(text, "theory = \"cantilever_tip\"", "theory = \"cantilver_tip\"");
+  EXPECT_THAT(message(text), AllOf(HasSubstr("study.toml:7:11: "), HasSubstr("did you mean \"fem-sri\"?"),
+                                   HasSubstr("study.toml:14:1: unknown key \"saftey\""), HasSubstr("did you mean \"safety\"?"),
+                                   HasSubstr("study.toml:21:10: "), HasSubstr("did you mean \"cantilever_tip\"?")));
+}
+
+TEST_F(StudyReader, SlipsInRuns) {
+  EXPECT_THAT(message(with(good, "\"40x4\"]", "\"40*4\"]")), HasSubstr("\"40*4\" in \"divisions\"; expected 2 whole numbers"));
+  EXPECT_THAT(message(with(good, "\"40x4\"]", "\"40x4x2\"]")), HasSubstr("expected 2 whole numbers"));
+  EXPECT_THAT(message(with(good, "cases = [\"1_1\", \"1_2\"]", "cases = [\"1_1\"]")), HasSubstr("1 cases for 2 resolutions"));
+  EXPECT_THAT(message(with(good, "quick = [\"1_1\"]", "quick = [\"1_11\"]")), HasSubstr("did you mean \"1_1\"?"));
+  EXPECT_THAT(message(with(good, "smoothing = 1.2", "smothing = 1.2")), HasSubstr("did you mean \"smoothing\"?"));
+  EXPECT_THAT(message(with(good, "smoothing = 1.2", "smoothing = 0")), HasSubstr("expected a number above 0"));
+  EXPECT_THAT(message(with(good, "quick = [\"1_1\"]", "spacing = [\"1 mm\"]")), HasSubstr("expected either \"spacing\""));
+  EXPECT_THAT(message(with(good, "quick = [\"1_1\"]", "scene = \"none.toml\"")), HasSubstr("the scene \"none.toml\" cannot be used"));
+}
+
+TEST_F(StudyReader, SlipsInQuantitiesAndSeries) {
+  EXPECT_THAT(message(with(good, "probe = \"tip\"", "probe = \"tpi\"")),
+              HasSubstr("study.toml:17:9: no probe is called \"tpi\" in scene.toml"));
+  EXPECT_THAT(message(with(good, "component = \"y\"", "component = \"yy\"")), HasSubstr("expected \"x\", \"y\" or \"z\""));
+  EXPECT_THAT(message(with(good, "unit = \"mm\"", "unit = \"MPa\"")), HasSubstr("expected a unit of the same kind as \"m\""));
+  EXPECT_THAT(message(with(good, "reduce = \"l2\"", "reduce = \"max\"")), HasSubstr("\"reduce\" does not fit"));
+  EXPECT_THAT(message(with(good, "theory = \"cantilever_tip\"", "theory = \"bar_stress\"")), HasSubstr("bar theory needs"));
+  EXPECT_THAT(message(with(good, "theory = \"cantilever_tip\"", "theory = \"cantilever_tip_history\"")), HasSubstr("depends on time"));
+  EXPECT_THAT(message(with(good, "file = \"tip.csv\"", "file = \"../tip.csv\"")), HasSubstr("\"file\" is \"../tip.csv\""));
+  EXPECT_THAT(message(with(good, "kind = \"history\"", "kind = \"profile\"")), HasSubstr("\"kind\" does not fit"));
+}
+
+// A filter that no planned run fits is found before the runs, even if each of its words exists.
+TEST_F(StudyReader, SlipsInPaperAndClaims) {
+  EXPECT_THAT(message(with(good, "value = \"0.4765 cm\"", "value = \"0.4765 MPa\"")), HasSubstr("\"value\": "));
+  EXPECT_THAT(message(with(good, "method = \"fem-full\", quantity", "method = \"sph-corrected\", quantity")),
+              HasSubstr("no run has the method"));
+  EXPECT_THAT(
+      message(with(good, "method = \"fem-full\", quantity", "method = \"sph-corrected smoothing=1.2 kernel=wendland-c2\", quantity")),
+      HasSubstr("no run of the study gives 1_1 sph-corrected"));
+  EXPECT_THAT(message(with(good, "bound = 10", "bond = 10")), AllOf(HasSubstr("missing \"bound\""), HasSubstr("did you mean \"bound\"?")));
+}
+
+TEST_F(StudyReader, CollectsItsNeighbours) {
+  const std::string all = folder.write("all/study.toml", "title = \"All\"\nstudies = [\"beam\"]\n");
+  const Study study = read_study(all);
+  ASSERT_EQ(study.collected.size(), 1u);
+  EXPECT_EQ(study.collected[0].name, "beam");
+  folder.write("more/study.toml", "title = \"More\"\nstudies = [\"all\"]\n");
+  EXPECT_THROW(read_study(folder / "more/study.toml"), InputError);
+  folder.write("all/study.toml", "title = \"All\"\nstudies = [\"all\"]\n");
+  EXPECT_THROW(read_study(all), InputError);
+  folder.write("all/study.toml", "title = \"All\"\nstudies = [\"baem\"]\n");
+  EXPECT_THROW(read_study(all), InputError);
+}
+
+TEST_F(StudyReader, AStudyOfNothingIsNone) { EXPECT_THAT(message("title = \"x\"\n"), HasSubstr("the study runs nothing")); }
+
+// The studies of this repository can be read, and their theory can speak of their scenes.
+TEST(Studies, AreAllReadable) {
+  for (const std::string name : {"uniaxial", "boundary", "fem-mesh", "spacing", "depth", "paper"}) {
+    const Study study = read_study(std::string(FEMSPH_SOURCE_DIR) + "/studies/" + name + "/study.toml");
+    EXPECT_EQ(study.name, name);
+    EXPECT_TRUE(study.collected.size() == 5 || std::any_of(study.runs.begin(), study.runs.end(), [](const auto& run) { return run.quick; }))
+        << name;
+  }
+}
+
+}  // namespace
+}  // namespace femsph::compare
