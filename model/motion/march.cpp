@@ -17,6 +17,7 @@
 namespace femsph {
 
 void March::run(const MarchEvents& events) {
+  flush_denormals();
   const long planned = planned_steps();
   const auto every = [&](int count) { return count > 0 ? std::max(1L, planned / count) : planned + 1; };
   const long sample_every = every(scene_.samples), snapshot_every = every(scene_.snapshots);
