@@ -78,7 +78,8 @@ Order order_of(const std::vector<const Row*>& rungs, Reference reference) {
   }
   order.pairwise = pairwise_orders(errors);
   order.observed = fitted_order(errors);
-  if (const auto extrapolation = richardson(values)) order.extrapolated = extrapolation->limit;
+  const bool a_distance = !first.theory && !first.limit;  // l2: its value is an error, whose limit is no result
+  if (const auto extrapolation = richardson(values); extrapolation && !a_distance) order.extrapolated = extrapolation->limit;
   return order;
 }
 
