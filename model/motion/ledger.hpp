@@ -12,10 +12,11 @@ struct Ledger {
   double damping = 0;     ///< taken by mass-proportional or kinetic damping
   double viscosity = 0;   ///< taken by artificial viscosity
   double initial = 0;     ///< kinetic energy at the start, by the same measure
+  double plastic = 0;     ///< work that the law has taken and does not store; negative: a law that creates energy
 
   double stored() const { return kinetic + strain + hourglass; }
   /// What is missing (> 0) or has come from nowhere (< 0).
-  double imbalance() const { return initial + external - stored() - damping - viscosity; }
+  double imbalance() const { return initial + external - stored() - damping - viscosity - plastic; }
 };
 
 }  // namespace femsph

@@ -172,6 +172,7 @@ Ledger March::ledger() const {
   for (const MovingBody& body : bodies_) {
     l.strain += body.discretization->strain_energy(body.u.data());
     l.hourglass += body.discretization->hourglass_energy(body.u.data());
+    l.plastic += body.discretization->dissipated_energy(body.u.data());
   }
   l.external = external_work_;
   l.damping = damping_loss_ + k.damping - start_damping_;
