@@ -12,10 +12,12 @@ struct Ledger {
   double damping = 0;     ///< taken by mass-proportional or kinetic damping
   double viscosity = 0;   ///< taken by artificial viscosity
   double initial = 0;     ///< kinetic energy at the start, by the same measure
+  double contact = 0;     ///< stored by the penalty of contacts
+  double friction = 0;    ///< taken by friction in contacts
 
-  double stored() const { return kinetic + strain + hourglass; }
+  double stored() const { return kinetic + strain + hourglass + contact; }
   /// What is missing (> 0) or has come from nowhere (< 0).
-  double imbalance() const { return initial + external - stored() - damping - viscosity; }
+  double imbalance() const { return initial + external - stored() - damping - viscosity - friction; }
 };
 
 }  // namespace femsph
