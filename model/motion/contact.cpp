@@ -12,7 +12,7 @@ namespace femsph {
 
 ContactPair::ContactPair(const Scene& scene, const Contact& contact, const std::array<Party, 2>& parties, const std::vector<MovingBody>& bodies)
     : scene_(scene), contact_(contact) {
-  constexpr double share = 0.5;  // of rho c^2 / d: a contact yields like two spacings of the softer body
+  constexpr double share = 0.25;  // of rho c^2 / d: a contact yields like four spacings of the softer body
   kappa_ = spacing_ = std::numeric_limits<double>::infinity();
   double thickness = std::numeric_limits<double>::infinity();
   for (const Party& party : parties)
@@ -120,7 +120,7 @@ void ContactPair::press(Bodies bodies, Pass& pass, std::size_t k, long step, dou
   Hold& hold = pass.holds[p];
   Stand at;
   if (!choose(bodies, pass, k, hold, at)) {
-    release(hold);
+    release(bodies, pass, p, hold, dt);
     return;
   }
   const double depth = -at.gap - slack_;
@@ -128,7 +128,7 @@ void ContactPair::press(Bodies bodies, Pass& pass, std::size_t k, long step, dou
   if (depth > depth_) fail(fmt::format("a point went {:.4g} mm deep at step {}, more than half a spacing; raise its stiffness, or take a finer spacing", 1e3 * depth, step), own.now[p]);
   const double area = std::min(own.area_limit[p], -dot(own.area[p], at.normal));
   if (area <= 0) {
-    release(hold);
+    release(bodies, pass, p, hold, dt);
     return;
   }
   const double stiffness = pass.weight * kappa_ * area, pressing = stiffness * depth;
@@ -157,17 +157,15 @@ Point ContactPair::rub(Bodies bodies, const Pass& pass, std::size_t p, Hold& hol
   }
   Point stretch = hold.stretch + dt * sliding;
   stretch = stretch - dot(stretch, at.normal) * at.normal;
-  const double length = norm(stretch), most = contact_.friction * pressing;
-  double pull = k * length;
-  if (pull > most) {
-    loss_ += 0.5 * (hold.pull + most) * (length - most / k);
-    stretch = (most / pull) * stretch;
-    pull = most;
-  }
+  const Point trial = stretch;
+  const double length = norm(trial), most = contact_.friction * pressing;
+  if (k * length > most) stretch = (most / (k * length)) * trial;
+  const Point pull = k * stretch;
+  loss_ += 0.5 * dot(hold.pull + pull, trial - stretch);
   hold.stretch = stretch;
   hold.pull = pull;
-  stored_ += 0.5 * k * dot(stretch, stretch);
-  return -k * stretch;
+  stored_ += 0.5 * dot(pull, stretch);
+  return -1.0 * pull;
 }
 
 /// The opposite of `force`, which acts at x: on a rigid body there, on a facet at the foot. What x lies beside the foot's line of force
@@ -201,10 +199,9 @@ void ContactPair::react(Bodies bodies, const Pass& pass, int piece, const Stand&
     surface.force[f.points[c]] = surface.force[f.points[c]] + dot(slope, surface.now[f.points[c]] - middle) * at.normal;
 }
 
-/// A point that lifts off: what its friction spring still held is lost.
-void ContactPair::release(Hold& hold) {
-  if (hold.piece < 0) return;
-  loss_ += 0.5 * hold.pull * norm(hold.stretch);
+/// A point that lifts off slips by all that its friction spring still held.
+void ContactPair::release(Bodies bodies, const Pass& pass, std::size_t p, Hold& hold, double dt) {
+  if (dot(hold.pull, hold.pull) > 0) rub(bodies, pass, p, hold, stand(bodies, pass, hold.piece, sides_[pass.from].surface[0].now[p]), kappa_, 0, dt);
   hold = {};
 }
 

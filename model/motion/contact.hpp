@@ -2,7 +2,7 @@
 // Contact of two bodies by a penalty, one implementation for particles and nodes.
 //
 // A point that lies a depth g inside the other body is pushed out along that surface's normal n with
-//   f = kappa A g n,         kappa = 0.5 factor min over the two bodies of rho c^2 / d,
+//   f = kappa A g n,         kappa = 0.25 factor min over the two bodies of rho c^2 / d,
 // A = the area it stands for, seen along n. Two deformable bodies: points of each against facets of the other, with the weights
 // w_1 + w_2 = 1 (half each for equal facets), so that an even depth is an even pressure kappa g. The opposite force acts at the foot
 // of the point on the facet, shared out by shape functions: what one body gains in momentum and moment of momentum the other loses, to
@@ -62,7 +62,7 @@ class ContactPair {
   struct Hold {
     int piece = -1;
     Point stretch{};
-    double pull = 0;  ///< N, along the stretch
+    Point pull{};  ///< N, what the spring pulled at the last step
   };
   /// Points of sides_[from] against the surface of the other side.
   struct Pass {
@@ -87,7 +87,7 @@ class ContactPair {
   void press(Bodies bodies, Pass& pass, std::size_t k, long step, double dt);
   Point rub(Bodies bodies, const Pass& pass, std::size_t p, Hold& hold, const Stand& at, double k, double pressing, double dt);
   void react(Bodies bodies, const Pass& pass, int piece, const Stand& at, const Point& x, const Point& force);
-  void release(Hold& hold);
+  void release(Bodies bodies, const Pass& pass, std::size_t p, Hold& hold, double dt);
   [[noreturn]] void fail(const std::string& what, const Point& at) const;
 
   const Scene& scene_;

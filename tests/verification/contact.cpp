@@ -51,8 +51,8 @@ double mean(const compare::RunResult& r, const std::string& column, double from,
 }
 
 /// Bars of length L that meet end to end at +-v behave as against a rigid wall: force rho c v A while waves run to the free ends and
-/// back, 2 L / c, and then each has turned its velocity round: the impulse is 2 m v. The contact yields like two spacings a side or
-/// less (its penalty is half of rho c^2 / d), of 100: about 1 % of the time.
+/// back, 2 L / c, and then each has turned its velocity round: the impulse is 2 m v. The contact yields like four spacings (its
+/// penalty is a quarter of rho c^2 / d) of 200: about 1 % of the time.
 void expect_blow(const compare::RunResult& r, double v, const char* method) {
   const double L = 0.1, area = 1e-4, last = 2 * L / c_bar, F = rho * c_bar * v * area;
   EXPECT_NEAR(std::abs(mean(r, "contact_blow_force_x", 0.2 * last, 0.8 * last)) / F, 1, 0.01) << method;
@@ -88,26 +88,27 @@ TEST(Contact, BarAgainstARigidWall) {
 // A mass M at speed V strikes the free end of a fixed bar of mass m = mu M (St Venant). With xi = c t / L the stress at the fixed end is
 //   s / (rho c V) = 2 e^(-mu (xi - 1)) for 1 < xi < 3, and that + 2 e^(-mu (xi - 3)) (1 - 2 mu (xi - 3)) for 3 < xi < 5:
 // greatest at xi = 3, 2 (1 + e^(-2 mu)) = 2.270, 2.736 for mu = 1, 0.5. The wave front rings where it is discretized, so the peak is
-// read from the mean ratio to this history over the 0.4 L/c behind it.
+// read from the ratio of the means of both histories over 0.05 to 0.25 L/c behind it, 10 spacings off the root (a boundary particle shows
+// its own stress). The contact delays the front by about three times the spacings it yields by, and behind the front the stress falls by
+// 4.3 a L/c: hence a stiffness of 4, one spacing of 400.
 TEST(Contact, RigidMassOnAFixedBar) {
-  const double L = 0.2, m = rho * L * 1e-4;
+  const double L = 0.2, m = rho * L * 2e-5;
   for (const double mu : {1.0, 0.5}) {
-    const Scene scene = steel(rigid("mass", "\"200 mm\", \"-5 mm\"", "\"20 mm\", \"20 mm\"", fmt::format("{:.9f} kg", m / mu).c_str()) +
-                              box("bar", "\"0 mm\", \"0 mm\"", "\"200 mm\", \"10 mm\"") + moving("mass", "\"-1 m/s\", \"0 m/s\"") + contact("mass", "bar") +
+    const Scene scene = steel(rigid("mass", "\"200 mm\", \"-5 mm\"", "\"20 mm\", \"12 mm\"", fmt::format("{:.9f} kg", m / mu).c_str()) +
+                              box("bar", "\"0 mm\", \"0 mm\"", "\"200 mm\", \"2 mm\"") + moving("mass", "\"-1 m/s\", \"0 m/s\"") + contact("mass", "bar") + "stiffness = 4.0\n" +
                               "[[supports]]\nbody = \"bar\"\nat = \"x-\"\nfix = [\"x\"]\n"
-                              "[[probes]]\nname = \"root\"\nbody = \"bar\"\nquantity = \"stress\"\npoint = [\"0 mm\", \"5 mm\"]\n" +
+                              "[[probes]]\nname = \"root\"\nbody = \"bar\"\nquantity = \"stress\"\npoint = [\"5 mm\", \"1 mm\"]\n" +
                               lasting(5 * L / c_bar, 2000));
     for (const char* method : both) {
-      const auto r = run(scene, method, 1);
-      double ratio = 0;
-      int n = 0;
+      const auto r = run(scene, method, 0.5);
+      double found = 0, exact = 0;
       for (std::size_t k = 0; k < r.history.rows(); ++k) {
         const double xi = c_bar * r.history["time"].values[k] / L;
-        if (xi < 3.1 || xi > 3.5) continue;
-        ratio += -r.history["root_xx"].values[k] / (rho * c_bar) / (2 * std::exp(-mu * (xi - 1)) + 2 * std::exp(-mu * (xi - 3)) * (1 - 2 * mu * (xi - 3)));
-        ++n;
+        if (xi < 3.05 || xi > 3.25) continue;
+        found -= r.history["root_xx"].values[k] / (rho * c_bar);
+        exact += 2 * std::exp(-mu * (xi - 1)) + 2 * std::exp(-mu * (xi - 3)) * (1 - 2 * mu * (xi - 3));
       }
-      const double peak = ratio / n * 2 * (1 + std::exp(-2 * mu));
+      const double peak = found / exact * 2 * (1 + std::exp(-2 * mu));
       EXPECT_NEAR(error(peak, mu == 1 ? 2.270 : 2.736), 0, 3) << method << " " << mu;
       EXPECT_LT(std::abs(r.ledger.imbalance()), 0.005 * r.ledger.initial) << method;
       EXPECT_EQ(r.history["mass_turn"].values.size(), r.history.rows());
@@ -183,7 +184,7 @@ Blow collide(const Scene& scene, const std::string& method, double spacing_mm) {
 
 // Two blocks of unequal size meet off centre and turn: what one loses the other gains, with friction too. Both discretizations keep
 // momentum and (in large motion) moment of momentum themselves, so the sums of both bodies stay put to round-off. Speeds as in the
-// paper's block on block, 20 m/s: strains about 20 / 5300 = 0.4 %, so a depth of about 0.4 % / 0.5 of the spacing.
+// paper's block on block, 20 m/s: strains about 20 / 5300 = 0.4 %, so a depth of about 0.4 % / 0.25 of the spacing.
 TEST(Contact, CollidingBlocksKeepMomentumAndEnergy) {
   for (const double friction : {0.0, 0.3}) {
     const Scene scene = steel(box("lower", "\"0 mm\", \"0 mm\"", "\"60 mm\", \"30 mm\"") + box("upper", "\"37 mm\", \"30.1 mm\"", "\"40 mm\", \"40 mm\"") +
@@ -196,7 +197,9 @@ TEST(Contact, CollidingBlocksKeepMomentumAndEnergy) {
       EXPECT_LT(blow.angular, 1e-11) << method;
       EXPECT_LT(blow.imbalance, 0.005) << method << friction;
       EXPECT_LT(blow.depth, 0.05) << method;
-      if (friction > 0) EXPECT_GT(blow.friction, 0.001) << method;
+      if (friction > 0) {
+        EXPECT_GT(blow.friction, 0.001) << method;
+      }
     }
   }
 }
@@ -237,15 +240,10 @@ TEST(Contact, CollidingCubesKeepMomentumAndEnergy) {
   }
 }
 
-std::string slope(double degrees) {
-  const double a = degrees * std::acos(-1.0) / 180;
-  return fmt::format("[gravity]\nacceleration = [\"{:.9f} m/s^2\", \"{:.9f} m/s^2\"]\n", 9.81 * std::sin(a), -9.81 * std::cos(a));
-}
-
 // A block at rest on a wall: the contact carries its weight, 7850 x 0.02 x 0.02 x 0.01 x 9.81 = 0.30803 N.
 TEST(Contact, RestingBlockWeighsWhatItWeighs) {
   const Scene scene = steel(rigid("wall", "\"-50 mm\", \"-20 mm\"", "\"200 mm\", \"20 mm\"", "1 kg") + box("block", "\"0 mm\", \"0 mm\"", "\"20 mm\", \"20 mm\"") +
-                                held("wall") + slope(0) + contact("wall", "block") + "[settling]\nmethod = \"damping\"\n" + lasting(20e-3, 10),
+                                held("wall") + "[gravity]\nacceleration = [\"0 m/s^2\", \"-9.81 m/s^2\"]\n" + contact("wall", "block") + "[settling]\nmethod = \"damping\"\n" + lasting(20e-3, 10),
                             "0.3");
   for (const char* method : both) {
     const auto r = run(scene, method, 2);
@@ -255,23 +253,30 @@ TEST(Contact, RestingBlockWeighsWhatItWeighs) {
   }
 }
 
-// A block on a slope of 30 degrees, tan = 0.577: it sticks for mu = 0.7, and for mu = 0.2 slides by a t^2 / 2 with
-// a = g (sin 30 - 0.2 cos 30) = 3.2059 m/s^2. Sticking, the friction spring gives by less than 1e-8 m.
+// A block pressed on a wall by N = 0.2668 N (its weight times cos 30) and pulled along it by N tan 30, both growing over 0.5 ms, slowly
+// against the 10 us in which it swings on the penalty. It sticks for mu = 0.7 (the spring gives by about 1e-11 m), and for mu = 0.2 slides
+// with a = N (tan 30 - 0.2) / m = 3.2059 m/s^2: a (t_r^2 / 6 + t_r (t - t_r) / 2 + (t - t_r)^2 / 2) by the time t.
 TEST(Contact, FrictionHoldsOrLetsSlide) {
+  const double t = 2e-3, ramp = 5e-4, N = 7850 * 4e-6 * 9.81 * std::cos(std::acos(-1.0) / 6);
+  const double exact = 3.2059 * (ramp * ramp / 6 + ramp * (t - ramp) / 2 + (t - ramp) * (t - ramp) / 2);
   for (const double mu : {0.7, 0.2}) {
-    const double t = 4e-3;
     const Scene scene = steel(rigid("slope", "\"-50 mm\", \"-20 mm\"", "\"200 mm\", \"20 mm\"", "1 kg") + box("block", "\"0 mm\", \"0 mm\"", "\"20 mm\", \"20 mm\"") +
-                                  held("slope") + slope(30) + contact("slope", "block", mu) +
+                                  held("slope") + contact("slope", "block", mu) +
+                                  fmt::format("[[loads]]\nbody = \"block\"\nat = \"all\"\nforce = [\"{:.9f} N\", \"{:.9f} N\"]\nhistory = {{ramp = \"0.5 ms\"}}\n", N / std::sqrt(3.0), -N) +
                                   "[[probes]]\nname = \"middle\"\nbody = \"block\"\nquantity = \"displacement\"\npoint = [\"10 mm\", \"10 mm\"]\n" + lasting(t, 50),
                               "0.3");
     for (const char* method : both) {
       const auto r = run(scene, method, 2);
       const double slid = last(r, "middle_x");
-      if (mu > 0.577) EXPECT_LT(std::abs(slid), 1e-8) << method;
-      else EXPECT_NEAR(slid / (0.5 * 3.2059 * t * t), 1, 0.02) << method;
+      fmt::print("{} mu {}: slid {:.4g} m ({:.4f}), work {:.3e} J, friction {:.3e} J, imbalance {:.2e} J\n", method, mu, slid, slid / exact, r.ledger.external, r.ledger.friction,
+                 r.ledger.imbalance());
+      if (mu > 0.577) {
+        EXPECT_LT(std::abs(slid), 1e-9) << method;
+        continue;
+      }
+      EXPECT_NEAR(slid / exact, 1, 0.02) << method;
       EXPECT_LT(std::abs(r.ledger.imbalance()), 0.005 * r.ledger.external) << method;
-      if (mu < 0.577) EXPECT_NEAR(last(r, "friction_loss") / (0.2 * 0.30803 * std::cos(std::acos(-1.0) / 6) * slid), 1, 0.03) << method;
-      fmt::print("{} mu {}: slid {:.4g} m, imbalance {:.2e}\n", method, mu, slid, r.ledger.imbalance() / r.ledger.external);
+      EXPECT_NEAR(r.ledger.friction / r.ledger.external, 0.2 * std::sqrt(3.0), 0.005) << method;
     }
   }
 }
