@@ -17,6 +17,7 @@ bool of_section(Reduce reduce) { return reduce == Reduce::fibre_upper || reduce 
 
 std::size_t component_index(const std::string& component) {
   static const std::vector<std::string> vector = {"x", "y", "z"}, tensor = {"xx", "yy", "zz", "xy", "yz", "zx"};
+  if (component == "equivalent") return 0;  // a scalar
   const auto& names = component.size() == 1 ? vector : tensor;
   return std::find(names.begin(), names.end(), component) - names.begin();
 }
@@ -116,6 +117,10 @@ Reduced reduce_l2(const QuantitySpec& quantity, const RunResult& result, const S
 
 Curve curve_of(const Observed& observed, const RunResult& result) {
   Curve curve;
+  if (!observed.scalar.empty()) {
+    if (!result.scalars.contains(observed.scalar)) throw std::runtime_error(fmt::format("this method has no {}", observed.scalar));
+    return {{0.0}, {result.scalars.at(observed.scalar) / observed.unit.factor}};
+  }
   const Column* column = nullptr;
   if (!observed.section.empty()) {
     const auto found = result.profiles.find(observed.section);

@@ -23,7 +23,8 @@ const std::vector<std::pair<std::string, Reduce>> reductions = {{"final", Reduce
                                                                 {"l2", Reduce::l2}};
 const std::vector<std::pair<std::string, SignRule>> signs = {
     {"as-is", SignRule::as_is}, {"reversed", SignRule::reversed}, {"magnitude", SignRule::magnitude}};
-const std::vector<std::string> energies = {"kinetic", "strain", "hourglass", "external", "damping", "viscosity"};
+const std::vector<std::string> energies = {"kinetic_energy", "strain_energy", "hourglass_energy", "external_work", "damping_loss", "viscosity_loss", "plastic_work"};
+const std::vector<std::string> scalars = {"surface_weight_loss"};
 
 bool of_section(Reduce reduce) { return reduce == Reduce::fibre_upper || reduce == Reduce::fibre_lower || reduce == Reduce::l2; }
 
@@ -34,14 +35,17 @@ const char* si_unit(Quantity quantity) {
     case Quantity::velocity:
       return "m/s";
     case Quantity::stress:
+    case Quantity::equivalent_stress:
       return "Pa";
     case Quantity::strain:
+    case Quantity::plastic_strain:
       break;
   }
   return "1";
 }
 
 std::vector<std::string> components(Quantity quantity) {
+  if (quantity == Quantity::plastic_strain || quantity == Quantity::equivalent_stress) return {"equivalent"};
   const bool vector = quantity == Quantity::displacement || quantity == Quantity::velocity;
   return vector ? std::vector<std::string>{"x", "y", "z"} : std::vector<std::string>{"xx", "yy", "zz", "xy", "yz", "zx"};
 }
@@ -86,26 +90,29 @@ Unit read_unit(Fields& fields, const char* key, const std::optional<std::string>
 Observed read_observed(Fields& fields, const std::optional<std::string>& scene, const std::string& si_of_reduced, const Study& study) {
   Observed observed;
   const auto probe = fields.text("probe", Need::optional), section = fields.text("section", Need::optional);
-  const auto energy = fields.text("energy", Need::optional);
+  const auto energy = fields.text("energy", Need::optional), scalar = fields.text("scalar", Need::optional);
   const auto component = fields.text("component", Need::optional);
   const auto unit = fields.text("unit", Need::optional, "a unit such as \"mm\"");
   observed.probe = probe.value_or("");
   observed.section = section.value_or("");
   observed.column = energy.value_or("");
-  if (probe.has_value() + section.has_value() + energy.has_value() != 1) {
-    fields.fault("probe", "expected one of \"probe\", \"section\" and \"energy\" in " + fields.name());
+  observed.scalar = scalar.value_or("");
+  if (probe.has_value() + section.has_value() + energy.has_value() + scalar.has_value() != 1) {
+    fields.fault("probe", "expected one of \"probe\", \"section\", \"energy\" and \"scalar\" in " + fields.name());
     return observed;
   }
-  std::string si = "J";
+  std::string si = scalar ? "1" : "J";
+  if (scalar && std::find(scalars.begin(), scalars.end(), *scalar) == scalars.end())
+    fields.fault("scalar", fmt::format("unknown scalar {}; expected {}{}", in_quotes(*scalar), one_of(scalars), did_you_mean(*scalar, scalars)));
   if (energy && std::find(energies.begin(), energies.end(), *energy) == energies.end())
     fields.fault("energy",
                  fmt::format("unknown energy {}; expected {}{}", in_quotes(*energy), one_of(energies), did_you_mean(*energy, energies)));
-  if (!energy) {
+  if (probe || section) {
     const char* key = probe ? "probe" : "section";
     const auto quantity = find_observer(fields, key, probe ? *probe : *section, scene, study);
     if (!quantity) return observed;
     const auto known = components(*quantity);
-    observed.component = component.value_or("");
+    observed.component = component.value_or(known.size() == 1 ? known[0] : "");
     if (std::find(known.begin(), known.end(), observed.component) == known.end())
       fields.fault(component ? "component" : key,
                    fmt::format("the component is {}; expected {}", in_quotes(observed.component), one_of(known)));
@@ -186,7 +193,7 @@ void one_series(Fields& fields, StudyReading& reading) {
   if (series.kind == Kind::error || series.kind == Kind::cases) {
     const auto known = quantity_names(study);
     series.quantity = fields.text("quantity", Need::required, one_of(known)).value_or("");
-    series.reference = fields.choice<Reference>("reference", Need::optional, {{"theory", Reference::theory}, {"limit", Reference::limit}})
+    series.reference = fields.choice<Reference>("reference", Need::optional, {{"theory", Reference::theory}, {"limit", Reference::limit}, {"value", Reference::value}})
                            .value_or(Reference::theory);
     if (!series.quantity.empty() && std::find(known.begin(), known.end(), series.quantity) == known.end())
       fields.fault("quantity", fmt::format("unknown quantity {}; expected {}{}", in_quotes(series.quantity), one_of(known),

@@ -38,7 +38,11 @@ struct Facet {
 /// xx yy zz xy yz zx, in the axes of space (Cauchy stress, Pa), the thickness direction of plane cases included.
 struct MaterialState {
   std::vector<std::array<double, 6>> stress, strain;
+  std::vector<double> plastic;  ///< equivalent plastic strain; empty when the law has none
 };
+
+/// sqrt(3/2 s:s) with s the deviator of the stress xx yy zz xy yz zx.
+double von_mises(const std::array<double, 6>& stress);
 
 /// Cells or bare points for output: each cell lists its points in VTK order.
 struct Topology {
@@ -74,6 +78,8 @@ class Discretization {
   /// Energy stored (J): by the law, and by hourglass control.
   virtual double strain_energy(const double* u) const = 0;
   virtual double hourglass_energy(const double*) const { return 0.0; }
+  /// Plastic work so far (J), at the displacement of the last internal_force().
+  virtual double dissipated_energy(const double*) const { return 0.0; }
 
   /// The points of a place, sorted, with the share of a unit total force that each takes (sum 1). Empty if there are none.
   virtual std::vector<Weight> points_of(const Place& place) const = 0;

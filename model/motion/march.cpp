@@ -182,6 +182,7 @@ Ledger March::ledger() const {
   for (const MovingBody& body : bodies_) {
     l.strain += body.discretization->strain_energy(body.u.data());
     l.hourglass += body.discretization->hourglass_energy(body.u.data());
+    l.plastic += body.discretization->dissipated_energy(body.u.data());
   }
   for (const ContactPair& contact : contacts_) {
     l.contact += contact.stored();

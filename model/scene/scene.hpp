@@ -19,8 +19,12 @@ namespace femsph {
 struct Material {
   std::string name;
   double young, poisson, density;  ///< Pa, 1, kg/m^3
+  std::optional<Plasticity> plasticity = {};  ///< none: elastic
   Law law(Plane plane) const;      ///< the law of this material in that plane
 };
+
+/// The words for stress integration: "return", "no-return-1", ..
+const std::vector<std::pair<std::string, Integration>>& integrations();
 
 struct Body {
   std::string name;
@@ -74,7 +78,8 @@ struct Contact {
   Source source;
 };
 
-enum class Quantity { displacement, velocity, stress, strain };
+/// plastic_strain: equivalent; equivalent_stress: von Mises.
+enum class Quantity { displacement, velocity, stress, strain, plastic_strain, equivalent_stress };
 
 /// Something read at a point in every sample of a run.
 struct Probe {
@@ -127,8 +132,12 @@ struct Scene {
 
   int dim() const { return plane == Plane::none ? 3 : 2; }
   const Material& material_of(const Body& body) const { return materials.at(body.material); }
+  bool is_plastic() const;  ///< some body's material is
   /// The effects that this scene asks for, by name; everything else costs nothing.
   std::vector<std::string> effects() const;
 };
+
+/// The elastic law of a body, for a solver `what` that knows no other. Throws std::runtime_error when its material is plastic.
+LinearElastic elastic_of(const Scene& scene, std::size_t body, const std::string& what);
 
 }  // namespace femsph
