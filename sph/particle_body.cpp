@@ -82,4 +82,21 @@ std::vector<Weight> ParticleBody::interpolation(const Point& p) const {
 
 Topology ParticleBody::topology() const { return {}; }
 
+std::vector<Facet> ParticleBody::boundary() const {
+  const Lattice& lattice = particles_.lattice;
+  const bool plane = particles_.dim == 2;
+  Topology cells{plane ? Topology::Kind::quadrilaterals : Topology::Kind::hexahedra, {}};
+  for (const auto& [i, j, k] : lattice.place) {
+    std::array<std::size_t, 8> cell{};
+    bool whole = true;
+    for (int c = 0; c < (plane ? 4 : 8) && whole; ++c) {
+      const int corner = lattice.particle(i + ((c + 1) / 2 % 2), j + (c / 2 % 2), k + c / 4);  // VTK order
+      whole = corner >= 0;
+      cell[c] = std::size_t(corner);
+    }
+    if (whole) cells.cells.push_back(cell);
+  }
+  return boundary_of(cells);
+}
+
 }  // namespace femsph::sph

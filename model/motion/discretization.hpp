@@ -28,6 +28,12 @@ struct Weight {
   double weight;
 };
 
+/// A piece of a body's boundary between its points. 2D: a segment 0 -> 1 with the body to its left; 3D: a quadrilateral,
+/// counterclockwise seen from outside.
+struct Facet {
+  std::array<std::size_t, 4> points{};
+};
+
 /// Stress and strain at the material points (particles, or quadrature points), one entry each, six components:
 /// xx yy zz xy yz zx, in the axes of space (Cauchy stress, Pa), the thickness direction of plane cases included.
 struct MaterialState {
@@ -91,6 +97,11 @@ class Discretization {
   virtual void material_state(const double* u, std::span<const std::size_t> points, MaterialState& out) const = 0;
 
   virtual Topology topology() const = 0;
+  /// The boundary, for contact. Unless a discretization knows better: the sides that belong to one cell of its topology.
+  virtual std::vector<Facet> boundary() const;
 };
+
+/// The sides that belong to one cell only; cells as in a Topology.
+std::vector<Facet> boundary_of(const Topology& topology);
 
 }  // namespace femsph

@@ -15,19 +15,22 @@ March::March(const Scene& scene, std::vector<std::unique_ptr<Discretization>> bo
   adaptive_damping_ = scene.settling && scene.settling->method == SettlingMethod::damping && !scene.settling->rate;
   kinetic_damping_ = scene.settling && scene.settling->method == SettlingMethod::kinetic;
   damping_rate_ = scene.settling && scene.settling->rate ? *scene.settling->rate : scene.damping.value_or(0.0);
-  critical_ = std::numeric_limits<double>::infinity();
   price_.threads = threads();
   PhaseTimer timer(price_, "critical step");
-  for (std::size_t b = 0; b < bodies.size(); ++b) {
+  std::size_t next = 0;
+  for (std::size_t b = 0; b < scene.bodies.size(); ++b) {
+    if (scene.bodies[b].rigid) continue;
     MovingBody body;
     body.name = scene.bodies[b].name;
-    body.discretization = std::move(bodies[b]);
+    body.index = b;
+    body.discretization = std::move(bodies.at(next++));
     place_supports_and_loads(body, b);
-    critical_ = std::min(critical_, femsph::critical_step(*body.discretization, body.inverse_mass));
     price_.units += body.discretization->units();
     price_.bytes += body.discretization->bytes() + sizeof(double) * (4 * body.u.size() + body.viscous.size() + body.mass.size());
     bodies_.push_back(std::move(body));
   }
+  place_rigid_bodies_and_contacts();
+  find_critical_step();
   if (!std::isfinite(critical_)) throw MotionError("nothing in this scene can move: every displacement is held, or no body has stiffness");
   dt_ = options.step.value_or(options.safety * critical_);
   price_.dt = dt_;
@@ -71,11 +74,10 @@ void March::place_supports_and_loads(MovingBody& body, std::size_t index) {
 /// The leap-frog's first velocity belongs to half a step before the start, such that the mean of v(-1/2) and v(+1/2) is v(0).
 void March::start_velocities() {
   const double keep = (1 - 0.5 * damping_rate_ * dt_) / (1 + 0.5 * damping_rate_ * dt_), push = dt_ / (1 + 0.5 * damping_rate_ * dt_);
-  for (std::size_t b = 0; b < bodies_.size(); ++b) {
-    MovingBody& body = bodies_[b];
+  for (MovingBody& body : bodies_) {
     const Layout& at = body.discretization->layout();
     for (const InitialVelocity& start : scene_.initial_velocities)
-      if (start.body == b)
+      if (start.body == body.index)
         for (std::size_t i = 0; i < at.points; ++i)
           for (int c = 0; c < at.dim; ++c) {
             const std::size_t slot = at.at(i, c);
@@ -86,6 +88,11 @@ void March::start_velocities() {
       const double force = body.viscous.empty() ? body.f[i] : body.f[i] + body.viscous[i];
       body.v[i] = (2 * body.v[i] - push * body.inverse_mass[i] * force) / (1 + keep);
     }
+  }
+  for (RigidBody& body : rigid_) {
+    for (const InitialVelocity& start : scene_.initial_velocities)
+      if (start.body == body.index) body.velocity = start.velocity;
+    body.start_from(keep, push);
   }
   const Kinetic k = kinetic();
   initial_energy_ = k.energy;
@@ -100,6 +107,10 @@ template <class Take>
 void March::internal_forces(const MovingBody& body, Take&& take) const {
   AlignedVector<double> f = body.f;
   const Layout& at = body.discretization->layout();
+  for (const ContactPair& contact : contacts_)
+    contact.each_force(std::size_t(&body - bodies_.data()), [&](std::size_t p, const Point& force) {
+      for (int c = 0; c < at.dim; ++c) f[at.at(p, c)] -= force[c];
+    });
   for (const MovingBody::NodalLoad& load : body.loads) f[load.slot] -= load.force * scene_.loads[load.load].history.at(time());
   for (std::size_t i = 0; i < at.points; ++i) {
     Point p{}, x = body.discretization->position(i);

@@ -46,6 +46,7 @@ Scene parse_scene(const std::string& text, const std::string& file) {
   read_supports(root, reading);
   read_loads(root, reading);
   read_initial_velocities(root, reading);
+  read_contacts(root, reading);
   read_gravity(root, reading);
   read_damping(root, reading);
   read_probes(root, reading);

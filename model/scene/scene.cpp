@@ -35,7 +35,7 @@ LinearElastic elastic_of(const Scene& scene, std::size_t body, const std::string
 }
 
 bool Scene::is_plastic() const {
-  return std::any_of(bodies.begin(), bodies.end(), [&](const Body& body) { return material_of(body).plasticity.has_value(); });
+  return std::any_of(bodies.begin(), bodies.end(), [&](const Body& body) { return !body.rigid && material_of(body).plasticity.has_value(); });
 }
 
 namespace {
@@ -46,6 +46,7 @@ void add_plastic_effects(const Scene& scene, std::vector<std::string>& on) {
     if (std::find(on.begin(), on.end(), name) == on.end()) on.emplace_back(name);
   };
   for (const Body& body : scene.bodies) {
+    if (body.rigid) continue;
     const auto& p = scene.material_of(body).plasticity;
     if (!p) continue;
     add("plasticity");
@@ -69,6 +70,9 @@ std::vector<std::string> Scene::effects() const {
   add(!supports.empty(), "supports");
   add(!loads.empty(), "loads");
   add(!initial_velocities.empty(), "initial velocity");
+  add(std::any_of(bodies.begin(), bodies.end(), [](const Body& body) { return body.rigid; }), "rigid bodies");
+  add(!contacts.empty(), "contact");
+  add(std::any_of(contacts.begin(), contacts.end(), [](const Contact& contact) { return contact.friction > 0; }), "friction");
   add(gravity.has_value(), "gravity");
   add(damping.has_value(), "damping");
   add(settling && settling->method == SettlingMethod::damping, "settling by damping");

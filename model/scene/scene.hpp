@@ -30,7 +30,9 @@ struct Body {
   std::string name;
   std::shared_ptr<const Shape> shape;
   double thickness = 1.0;  ///< m, out of plane; 1 in 3D
-  std::string material;    ///< a key of Scene::materials
+  std::string material;    ///< a key of Scene::materials; empty for a rigid body
+  bool rigid = false;      ///< moves and turns as a whole
+  double mass = 0;         ///< kg, of a rigid body
 };
 
 /// Part of a body: the points of its boundary that lie on all of `sides` (one side: a face; two: an edge in 3D, a corner in 2D;
@@ -45,6 +47,7 @@ struct Place {
 struct Support {
   Place place;
   std::array<bool, 3> fixed{};  ///< which displacement components are held at zero
+  std::array<bool, 3> fixed_turn{};  ///< of a rigid body: about which axes it cannot turn
 };
 
 /// How a load grows in time: a piecewise linear factor, held constant beyond its ends. A step is one point (0, 1).
@@ -64,6 +67,15 @@ struct Load {
 struct InitialVelocity {
   std::size_t body = 0;
   Point velocity{};  ///< m/s
+};
+
+/// Two bodies, one of them deformable at least, that press on each other where they touch.
+struct Contact {
+  std::string name;
+  std::array<std::size_t, 2> between{};  ///< indices into Scene::bodies
+  double stiffness = 1;                  ///< factor on the default penalty
+  double friction = 0;                   ///< Coulomb's coefficient
+  Source source;
 };
 
 /// plastic_strain: equivalent; equivalent_stress: von Mises.
@@ -108,6 +120,7 @@ struct Scene {
   std::vector<Support> supports;
   std::vector<Load> loads;
   std::vector<InitialVelocity> initial_velocities;
+  std::vector<Contact> contacts;
   std::optional<Point> gravity;   ///< m/s^2
   std::optional<double> damping;  ///< mass-proportional, c in 1/s
   std::vector<Probe> probes;

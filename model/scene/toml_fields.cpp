@@ -108,6 +108,14 @@ std::optional<std::vector<double>> Fields::numbers(const char* key, Need need) {
   return all;
 }
 
+std::optional<bool> Fields::flag(const char* key, Need need) {
+  const toml::node* node = find(key, need, "true or false");
+  if (!node) return {};
+  if (node->is_boolean()) return node->as_boolean()->get();
+  wrong_type(*node, key, "true or false");
+  return {};
+}
+
 std::optional<int> Fields::count(const char* key, Need need, int least, int most) {
   const std::string expected = fmt::format("a whole number from {} to {}", least, most);
   const toml::node* node = find(key, need, expected);

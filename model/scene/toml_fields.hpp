@@ -42,6 +42,7 @@ class Fields {
   /// A plain, finite, dimensionless number.
   std::optional<double> number(const char* key, Need need, const std::string& expected = "a number");
   std::optional<std::vector<double>> numbers(const char* key, Need need);
+  std::optional<bool> flag(const char* key, Need need);
   std::optional<int> count(const char* key, Need need, int least, int most);
   /// A number with its unit, in SI.
   std::optional<double> quantity(const char* key, Need need, const Dimension& dimension, Sign sign = Sign::any);
