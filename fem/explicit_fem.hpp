@@ -9,6 +9,7 @@
 #include "fem/fem.hpp"
 #include "fem/locator.hpp"
 #include "fem/mesh.hpp"
+#include "fem/truss_bars.hpp"
 
 namespace femsph::fem {
 
@@ -28,7 +29,9 @@ class ExplicitFem : public Discretization {
 
   void internal_force(const double* u, const double* v, double dt, double* f, double* viscous) override;
   void stiffness(const double* x, double* y) const override;
-  double strain_energy(const double* u) const override { return loop_->energies(u).strain; }
+  double strain_energy(const double* u) const override { return loop_->energies(u).strain + bars_.strain_energy(u); }
+  double plastic_energy() const override { return bars_.plastic_energy(); }
+  std::vector<BarPiece> bars(const double* u) const override { return bars_.pieces(u); }
   double hourglass_energy(const double* u) const override { return element_ == Element::one_point ? loop_->energies(u).hourglass : 0.0; }
 
   std::vector<Weight> points_of(const Place& place) const override;
@@ -56,6 +59,8 @@ class ExplicitFem : public Discretization {
   double spacing_, wave_speed_;
   Locator locator_;
   std::unique_ptr<CellLoop> loop_;
+  TrussBars bars_;
+  std::string bars_text_;
 };
 
 }  // namespace femsph::fem

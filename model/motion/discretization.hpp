@@ -34,6 +34,15 @@ struct MaterialState {
   std::vector<std::array<double, 6>> stress, strain;
 };
 
+/// A piece of a reinforcing bar as it is now.
+struct BarPiece {
+  std::size_t bar;        ///< index into Scene::bars
+  Point position;         ///< m, undeformed
+  double area, length;    ///< m^2, m
+  double strain, stress;  ///< along the bar; 1, Pa
+  double plastic_strain;
+};
+
 /// Cells or bare points for output: each cell lists its points in VTK order.
 struct Topology {
   enum class Kind { points, quadrilaterals, hexahedra } kind = Kind::points;
@@ -68,6 +77,11 @@ class Discretization {
   /// Energy stored (J): by the law, and by hourglass control.
   virtual double strain_energy(const double* u) const = 0;
   virtual double hourglass_energy(const double*) const { return 0.0; }
+
+  /// Energy that plastic flow has taken since the start, J.
+  virtual double plastic_energy() const { return 0.0; }
+  /// The bars of the body at displacement u.
+  virtual std::vector<BarPiece> bars(const double*) const { return {}; }
 
   /// The points of a place, sorted, with the share of a unit total force that each takes (sum 1). Empty if there are none.
   virtual std::vector<Weight> points_of(const Place& place) const = 0;

@@ -62,6 +62,23 @@ void March::forces() {
         for (std::size_t i = 0; i < at.points; ++i) body.f[at.at(i, c)] += d.mass()[i] * (*scene_.gravity)[c];
     }
   }
+  for (MovingBody& body : bodies_) hold_means(body);  // last: reactions answer to every other force
+}
+
+/// A mean that stands still stays still if sum_i w_i f_i / m_i = 0: the reactions are f_i += R w_i with R = -(sum w f/m) / (sum w^2/m).
+/// They do no work, since sum_i w_i v_i = 0 at every half step.
+void March::hold_means(MovingBody& body) {
+  const auto project = [&](MovingBody::MeanHold& hold, AlignedVector<double>& f) {
+    double sum = 0;
+    for (std::size_t k = 0; k < hold.slots.size(); ++k) sum += hold.weights[k] * body.inverse_mass[hold.slots[k]] * f[hold.slots[k]];
+    const double reaction = -sum / hold.inverse_mass;
+    for (std::size_t k = 0; k < hold.slots.size(); ++k) f[hold.slots[k]] += reaction * hold.weights[k];
+    return reaction;
+  };
+  for (MovingBody::MeanHold& hold : body.means) {
+    hold.reaction = project(hold, body.f);
+    if (!body.viscous.empty()) hold.reaction += project(hold, body.viscous);
+  }
 }
 
 namespace {
@@ -171,6 +188,7 @@ Ledger March::ledger() const {
   l.kinetic = k.energy;
   for (const MovingBody& body : bodies_) {
     l.strain += body.discretization->strain_energy(body.u.data());
+    l.plastic += body.discretization->plastic_energy();
     l.hourglass += body.discretization->hourglass_energy(body.u.data());
   }
   l.external = external_work_;

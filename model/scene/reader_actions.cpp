@@ -78,8 +78,9 @@ void read_supports(Fields& root, Reading& reading) {
   for (Fields& fields : root.tables("supports")) {
     const auto place = read_place(fields, reading);
     const auto fixed = read_fixed(fields, reading.dim);
+    const auto mean = fields.choice<bool>("mode", Need::optional, {{"each", false}, {"mean", true}});
     fields.done();
-    if (place && fixed) reading.scene.supports.push_back({*place, *fixed});
+    if (place && fixed) reading.scene.supports.push_back({*place, *fixed, mean.value_or(false)});
   }
 }
 

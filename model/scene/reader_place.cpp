@@ -62,12 +62,15 @@ std::optional<Place> read_place(Fields& fields, const Reading& reading) {
   const bool by_point = fields.has("point");
   const auto at = fields.text("at", by_point ? Need::optional : Need::required, expected);
   const auto point = fields.vector("point", Need::optional, dimension::length, reading.dim);
+  const auto within = fields.corners("within", Need::optional, dimension::length, reading.dim);
   if (both) return fields.fault("point", "both \"at\" and \"point\" are given; expected one of them"), std::nullopt;
   if (!body || (!at && !point)) return {};
 
   Place place;
   place.body = *body;
   place.point = point;
+  if (within) place.within = Region{within->first, within->second};
+  if (point && fields.has("within")) fields.fault("within", "\"within\" with \"point\"; expected it only with \"at\"");
   place.source = fields.source(by_point ? "point" : "at");
   const Shape* shape = reading.scene.bodies[*body].shape.get();
   if (!shape) return place;

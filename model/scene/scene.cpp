@@ -1,6 +1,7 @@
 #include "model/scene/scene.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 namespace femsph {
 
@@ -14,6 +15,30 @@ double TimeHistory::at(double t) const {
   return factor[next - 1] + share * (factor[next] - factor[next - 1]);
 }
 
+bool Region::contains(const Point& p, double tolerance) const {
+  for (int a = 0; a < 3; ++a)
+    if (p[a] < lower[a] - tolerance || p[a] > upper[a] + tolerance) return false;
+  return true;
+}
+
+int Bar::axis() const {
+  int longest = 0;
+  for (int a = 1; a < 3; ++a)
+    if (std::abs(to[a] - from[a]) > std::abs(to[longest] - from[longest])) longest = a;
+  return longest;
+}
+
+std::vector<Support> Scene::holds() const {
+  std::vector<Support> all = supports;
+  for (const Symmetry& s : symmetries) {
+    Support hold;
+    hold.place = s.place;
+    hold.fixed[s.axis()] = true;
+    all.push_back(hold);
+  }
+  return all;
+}
+
 std::vector<std::string> Scene::effects() const {
   std::vector<std::string> on;
   const auto add = [&](bool asked, const char* name) {
@@ -21,6 +46,8 @@ std::vector<std::string> Scene::effects() const {
   };
   add(large_motion, "finite rotation");
   add(!supports.empty(), "supports");
+  add(!symmetries.empty(), "symmetry");
+  add(!bars.empty(), "bars");
   add(!loads.empty(), "loads");
   add(!initial_velocities.empty(), "initial velocity");
   add(gravity.has_value(), "gravity");

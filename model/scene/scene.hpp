@@ -19,6 +19,8 @@ namespace femsph {
 struct Material {
   std::string name;
   double young, poisson, density;  ///< Pa, 1, kg/m^3
+  std::optional<double> yield{};      ///< Pa; elastic for ever without it
+  std::optional<double> hardening{};  ///< H = d(yield)/d(equivalent plastic strain), Pa
   Law law(Plane plane) const;      ///< the law of this material in that plane
 };
 
@@ -29,18 +31,44 @@ struct Body {
   std::string material;    ///< a key of Scene::materials
 };
 
+/// An axis-parallel region of the undeformed body.
+struct Region {
+  Point lower{}, upper{};  ///< m
+  bool contains(const Point& p, double tolerance) const;
+};
+
 /// Part of a body: the points of its boundary that lie on all of `sides` (one side: a face; two: an edge in 3D, a corner in 2D;
 /// three: a corner in 3D); or, with `point`, the discretization point nearest to it; or, with neither, the whole body.
 struct Place {
   std::size_t body = 0;            ///< index into Scene::bodies
   std::vector<std::string> sides;  ///< names known to the body's shape: "x-", "x+", .. or a physical group of a mesh
   std::optional<Point> point;      ///< m
+  std::optional<Region> within{};  ///< of these, only the points in here
   Source source;
 };
 
 struct Support {
   Place place;
   std::array<bool, 3> fixed{};  ///< which displacement components are held at zero
+  bool mean = false;            ///< only the weighted mean over the place is held, so that the place may turn
+};
+
+/// A plane side of a body beyond which the body goes on, mirrored; its normal displacement is zero.
+struct Symmetry {
+  Place place;  ///< one side of the bounding box
+  int axis() const { return place.sides[0][0] - 'x'; }
+  bool upper() const { return place.sides[0][1] == '+'; }
+};
+
+/// Reinforcement along one axis, perfectly bonded to its body. It adds its stiffness and its mass to the body, which keeps its own.
+struct Bar {
+  std::string name;
+  std::size_t body = 0;
+  Point from{}, to{};    ///< m, in the undeformed body
+  double area = 0;       ///< m^2, of all bars over the thickness of a plane body; of one in space
+  std::string material;  ///< a key of Scene::materials
+  Source source{};
+  int axis() const;
 };
 
 /// How a load grows in time: a piecewise linear factor, held constant beyond its ends. A step is one point (0, 1).
@@ -101,6 +129,8 @@ struct Scene {
   std::map<std::string, Material> materials;
   std::vector<Body> bodies;
   std::vector<Support> supports;
+  std::vector<Symmetry> symmetries;
+  std::vector<Bar> bars;
   std::vector<Load> loads;
   std::vector<InitialVelocity> initial_velocities;
   std::optional<Point> gravity;   ///< m/s^2
@@ -114,6 +144,8 @@ struct Scene {
 
   int dim() const { return plane == Plane::none ? 3 : 2; }
   const Material& material_of(const Body& body) const { return materials.at(body.material); }
+  /// The supports, and the symmetry planes as what they hold: their normal component.
+  std::vector<Support> holds() const;
   /// The effects that this scene asks for, by name; everything else costs nothing.
   std::vector<std::string> effects() const;
 };
