@@ -54,7 +54,7 @@ double TrussBars::strain_energy(const double* u) const {
   return sum;
 }
 
-double TrussBars::plastic_energy() const {
+double TrussBars::dissipated_energy() const {
   double sum = 0;
   for (const Truss& t : trusses_) sum += t.area * t.length * t.state.dissipated;
   return sum;

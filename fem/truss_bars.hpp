@@ -20,7 +20,7 @@ class TrussBars {
   /// y += K x of the undeformed elastic bars.
   void add_stiffness(const double* x, double* y) const;
   double strain_energy(const double* u) const;
-  double plastic_energy() const;
+  double dissipated_energy() const;
   std::vector<BarPiece> pieces(const double* u) const;
 
  private:

@@ -15,7 +15,7 @@ void SmearedBars::add_mass(std::vector<double>& mass) const {
   for (const SmearedPiece& piece : pieces) mass[piece.particle] += rows[piece.row].law.density * volume(piece);
 }
 
-double SmearedBars::plastic_energy() const {
+double SmearedBars::dissipated_energy() const {
   double sum = 0;
   for (const SmearedPiece& piece : pieces) sum += piece.state.dissipated * volume(piece);
   return sum;

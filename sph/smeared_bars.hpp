@@ -26,7 +26,7 @@ class SmearedBars {
   SmearedBars(const std::vector<BarRow>& rows, const Particles& particles, double thickness);
   std::size_t bytes() const { return pieces.size() * sizeof(SmearedPiece); }
   void add_mass(std::vector<double>& mass) const;
-  double plastic_energy() const;
+  double dissipated_energy() const;
   double volume(const SmearedPiece& piece) const { return rows[piece.row].area * piece.length; }
 
   std::vector<BarRow> rows;

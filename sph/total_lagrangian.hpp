@@ -101,7 +101,7 @@ class TotalLagrangian final : public ParticleBody {
     });
   }
 
-  double plastic_energy() const override { return bars_.plastic_energy(); }
+  double dissipated_energy(const double*) const override { return bars_.dissipated_energy(); }
   std::vector<BarPiece> bars(const double* u) const override {
     std::vector<BarPiece> out;
     each_bar<Kinematics>(with_mirrored(u), bars_.pieces, [&](const SmearedPiece& piece, double strain, const Pull&) {

@@ -78,8 +78,8 @@ class Discretization {
   virtual double strain_energy(const double* u) const = 0;
   virtual double hourglass_energy(const double*) const { return 0.0; }
 
-  /// Energy that plastic flow has taken since the start, J.
-  virtual double plastic_energy() const { return 0.0; }
+  /// Plastic work so far (J), at the displacement of the last internal_force().
+  virtual double dissipated_energy(const double*) const { return 0.0; }
   /// The bars of the body at displacement u.
   virtual std::vector<BarPiece> bars(const double*) const { return {}; }
 

@@ -8,15 +8,15 @@ struct Ledger {
   double kinetic = 0;
   double strain = 0;      ///< stored by the law
   double hourglass = 0;   ///< stored by hourglass control
-  double plastic = 0;     ///< taken by plastic flow
   double external = 0;    ///< work of loads and gravity
   double damping = 0;     ///< taken by mass-proportional or kinetic damping
   double viscosity = 0;   ///< taken by artificial viscosity
   double initial = 0;     ///< kinetic energy at the start, by the same measure
+  double plastic = 0;     ///< work that the law has taken and does not store; negative: a law that creates energy
 
   double stored() const { return kinetic + strain + hourglass; }
   /// What is missing (> 0) or has come from nowhere (< 0).
-  double imbalance() const { return initial + external - stored() - plastic - damping - viscosity; }
+  double imbalance() const { return initial + external - stored() - damping - viscosity - plastic; }
 };
 
 }  // namespace femsph

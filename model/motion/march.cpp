@@ -188,8 +188,8 @@ Ledger March::ledger() const {
   l.kinetic = k.energy;
   for (const MovingBody& body : bodies_) {
     l.strain += body.discretization->strain_energy(body.u.data());
-    l.plastic += body.discretization->plastic_energy();
     l.hourglass += body.discretization->hourglass_energy(body.u.data());
+    l.plastic += body.discretization->dissipated_energy(body.u.data());
   }
   l.external = external_work_;
   l.damping = damping_loss_ + k.damping - start_damping_;

@@ -35,7 +35,7 @@ void read_symmetries(Fields& root, Reading& reading) {
     auto& planes = reading.scene.symmetries;
     const bool again = std::any_of(planes.begin(), planes.end(), [&](const Symmetry& s) { return s.place.body == *body && s.place.sides[0] == *side; });
     if (again) fields.fault("at", fmt::format("side {} is a symmetry plane already; expected each plane once", in_quotes(*side)));
-    else planes.push_back({Place{*body, {*side}, {}, {}, source}});
+    else planes.push_back({Place{*body, {*side}, {}, source, {}}});
   }
 }
 

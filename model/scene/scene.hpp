@@ -43,8 +43,8 @@ struct Place {
   std::size_t body = 0;            ///< index into Scene::bodies
   std::vector<std::string> sides;  ///< names known to the body's shape: "x-", "x+", .. or a physical group of a mesh
   std::optional<Point> point;      ///< m
-  std::optional<Region> within{};  ///< of these, only the points in here
   Source source;
+  std::optional<Region> within{};  ///< of these, only the points in here
 };
 
 struct Support {

@@ -38,7 +38,7 @@ TEST(BarLaw, ElasticWithoutYieldAndPerfectWithoutHardening) {
   EXPECT_DOUBLE_EQ(BarLaw::make(steel).advance(1.0, s), 200e9);
   steel.yield = 400e6;
   BarState p;
-  EXPECT_DOUBLE_EQ(BarLaw::make(steel).advance(0.02, p), 400e6);
+  EXPECT_NEAR(BarLaw::make(steel).advance(0.02, p), 400e6, 1);
 }
 
 const char* const beam = R"(
