@@ -1,5 +1,6 @@
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "compare/commands.hpp"
@@ -47,10 +48,11 @@ std::string effects_off(const Scene& scene) {
   return text.empty() ? "none" : text;
 }
 
-/// Seconds of CPU for one step, from a few of them.
-double seconds_per_step(const Scene& scene, const Method& method, const Resolution& resolution, const MarchOptions& options, double step) {
+/// Seconds of CPU for one step, from some tenths of a second of them.
+double seconds_per_step(const Scene& scene, const Method& method, const Resolution& resolution, const MarchOptions& options, double step, std::size_t units) {
+  const double steps = std::clamp(2e7 / double(units), 20.0, 2000.0);
   Scene brief = scene;
-  brief.duration = 20 * step;
+  brief.duration = steps * step;
   brief.samples = 1;
   brief.snapshots = 0;
   RunOptions quiet;
@@ -81,8 +83,8 @@ int check_command(const RunCommand& command) {
   fmt::print("by {}:\n", method.name);
   for (const auto& [key, value] : derived_values(march))
     if (key != "effects on") fmt::print("  {:<24} {}\n", key, value);
-  const double each = seconds_per_step(scene, method, resolution, options, march.dt());
-  fmt::print("  {:<24} {:.2g} s of CPU ({:.3g} ns a unit and step, measured over 20 steps)\n", "time", each * double(march.planned_steps()),
+  const double each = seconds_per_step(scene, method, resolution, options, march.dt(), march.price().units);
+  fmt::print("  {:<24} {:.2g} s of CPU ({:.3g} ns a unit and step, measured)\n", "time", each * double(march.planned_steps()),
              1e9 * each / double(march.price().units));
   return 0;
 }

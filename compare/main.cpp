@@ -38,6 +38,7 @@ int run_program(int argc, char** argv) {
   CLI::App app("femsph compares SPH and explicit FEM for solid dynamics: one scene, two discretizations, one table.");
   app.set_version_flag("--version", [] { return version_text(); });
   app.require_subcommand(1);
+  add_provenance("deal.II", fem::deal_ii_version());
   const int all = int(std::max(1u, std::thread::hardware_concurrency()));
 
   StudyCommand study;

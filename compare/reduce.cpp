@@ -116,6 +116,10 @@ Reduced reduce_l2(const QuantitySpec& quantity, const RunResult& result, const S
 
 Curve curve_of(const Observed& observed, const RunResult& result) {
   Curve curve;
+  if (!observed.scalar.empty()) {
+    if (!result.scalars.contains(observed.scalar)) throw std::runtime_error(fmt::format("this method has no {}", observed.scalar));
+    return {{0.0}, {result.scalars.at(observed.scalar) / observed.unit.factor}};
+  }
   const Column* column = nullptr;
   if (!observed.section.empty()) {
     const auto found = result.profiles.find(observed.section);

@@ -53,6 +53,7 @@ struct RunResult {
   double spacing = 0;                       ///< m, as discretized
   int cells_over_height = 0;                ///< cells, or particles less one, along y
   std::size_t points = 0;                   ///< nodes or particles
+  std::map<std::string, double> scalars;    ///< numbers of the discretization itself, SI: surface_weight_loss (SPH)
   std::vector<std::pair<std::string, std::string>> derived;  ///< see derived_values
 };
 

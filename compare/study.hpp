@@ -32,7 +32,7 @@ struct Unit {
 
 /// A column of the results: a component of a probe or of a section, or an energy.
 struct Observed {
-  std::string probe, section, column;  ///< exactly one of them is named
+  std::string probe, section, column, scalar;  ///< exactly one of them is named
   std::string component;
   Unit unit;
 };

@@ -23,7 +23,8 @@ const std::vector<std::pair<std::string, Reduce>> reductions = {{"final", Reduce
                                                                 {"l2", Reduce::l2}};
 const std::vector<std::pair<std::string, SignRule>> signs = {
     {"as-is", SignRule::as_is}, {"reversed", SignRule::reversed}, {"magnitude", SignRule::magnitude}};
-const std::vector<std::string> energies = {"kinetic", "strain", "hourglass", "external", "damping", "viscosity"};
+const std::vector<std::string> energies = {"kinetic_energy", "strain_energy", "hourglass_energy", "external_work", "damping_loss", "viscosity_loss"};
+const std::vector<std::string> scalars = {"surface_weight_loss"};
 
 bool of_section(Reduce reduce) { return reduce == Reduce::fibre_upper || reduce == Reduce::fibre_lower || reduce == Reduce::l2; }
 
@@ -86,21 +87,24 @@ Unit read_unit(Fields& fields, const char* key, const std::optional<std::string>
 Observed read_observed(Fields& fields, const std::optional<std::string>& scene, const std::string& si_of_reduced, const Study& study) {
   Observed observed;
   const auto probe = fields.text("probe", Need::optional), section = fields.text("section", Need::optional);
-  const auto energy = fields.text("energy", Need::optional);
+  const auto energy = fields.text("energy", Need::optional), scalar = fields.text("scalar", Need::optional);
   const auto component = fields.text("component", Need::optional);
   const auto unit = fields.text("unit", Need::optional, "a unit such as \"mm\"");
   observed.probe = probe.value_or("");
   observed.section = section.value_or("");
   observed.column = energy.value_or("");
-  if (probe.has_value() + section.has_value() + energy.has_value() != 1) {
-    fields.fault("probe", "expected one of \"probe\", \"section\" and \"energy\" in " + fields.name());
+  observed.scalar = scalar.value_or("");
+  if (probe.has_value() + section.has_value() + energy.has_value() + scalar.has_value() != 1) {
+    fields.fault("probe", "expected one of \"probe\", \"section\", \"energy\" and \"scalar\" in " + fields.name());
     return observed;
   }
-  std::string si = "J";
+  std::string si = scalar ? "1" : "J";
+  if (scalar && std::find(scalars.begin(), scalars.end(), *scalar) == scalars.end())
+    fields.fault("scalar", fmt::format("unknown scalar {}; expected {}{}", in_quotes(*scalar), one_of(scalars), did_you_mean(*scalar, scalars)));
   if (energy && std::find(energies.begin(), energies.end(), *energy) == energies.end())
     fields.fault("energy",
                  fmt::format("unknown energy {}; expected {}{}", in_quotes(*energy), one_of(energies), did_you_mean(*energy, energies)));
-  if (!energy) {
+  if (probe || section) {
     const char* key = probe ? "probe" : "section";
     const auto quantity = find_observer(fields, key, probe ? *probe : *section, scene, study);
     if (!quantity) return observed;
@@ -186,7 +190,7 @@ void one_series(Fields& fields, StudyReading& reading) {
   if (series.kind == Kind::error || series.kind == Kind::cases) {
     const auto known = quantity_names(study);
     series.quantity = fields.text("quantity", Need::required, one_of(known)).value_or("");
-    series.reference = fields.choice<Reference>("reference", Need::optional, {{"theory", Reference::theory}, {"limit", Reference::limit}})
+    series.reference = fields.choice<Reference>("reference", Need::optional, {{"theory", Reference::theory}, {"limit", Reference::limit}, {"value", Reference::value}})
                            .value_or(Reference::theory);
     if (!series.quantity.empty() && std::find(known.begin(), known.end(), series.quantity) == known.end())
       fields.fault("quantity", fmt::format("unknown quantity {}; expected {}{}", in_quotes(series.quantity), one_of(known),

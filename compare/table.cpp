@@ -86,6 +86,7 @@ Order order_of(const std::vector<const Row*>& rungs, Reference reference) {
 }  // namespace
 
 std::optional<double> error_of(const Row& row, Reference reference) {
+  if (reference == Reference::value) return row.value;
   return reference == Reference::theory ? row.error_percent : row.error_vs_limit_percent;
 }
 

@@ -32,7 +32,8 @@ struct Order {
   std::string unit;
 };
 
-enum class Reference { theory, limit };
+/// What a row is measured against; `value` is the row as it stands.
+enum class Reference { theory, limit, value };
 /// The error of a row against a reference, percent.
 std::optional<double> error_of(const Row& row, Reference reference);
 

@@ -43,7 +43,7 @@ class StiffnessLoop : public CellLoop {
           cell<SmallStrain>(elastic_, b, lane, x, static_cast<T*>(nullptr), f, nobody);
           scatter_add<dim>(f, thickness_, &batches_.scatter[b * block], lane, y);
         }
-    });
+    }, lanes);
   }
   int points_per_cell() const override { return ElementType::template points<dim>; }
   bool equal_volumes() const override { return ElementType::equal_volumes; }
@@ -154,7 +154,7 @@ class Loop final : public StiffnessLoop<ElementType, dim, T> {
           }
           scatter_add<dim>(nodal, -thickness_, &batches_.scatter[b * block], lane, f);
         }
-    });
+    }, lanes);
   }
 
   Energies energies(const double* u) const override {

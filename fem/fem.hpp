@@ -37,4 +37,7 @@ struct StaticLimit {
 };
 StaticLimit static_limit(const Scene& scene, const std::array<int, 3>& divisions, int degree);
 
+/// The version of deal.II this program is built with.
+std::string deal_ii_version();
+
 }  // namespace femsph::fem

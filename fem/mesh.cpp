@@ -1,5 +1,7 @@
 #include "fem/mesh.hpp"
 
+#include "fem/fem.hpp"
+
 #include <deal.II/grid/grid_generator.h>
 #include <deal.II/grid/grid_tools.h>
 #include <deal.II/grid/tria.h>
@@ -141,5 +143,7 @@ template void make_triangulation<3>(const Shape&, const std::array<int, 3>&, dou
 Mesh make_mesh(const Shape& shape, const std::array<int, 3>& divisions, double distortion) {
   return shape.dim() == 2 ? make_mesh_of<2>(shape, divisions, distortion) : make_mesh_of<3>(shape, divisions, distortion);
 }
+
+std::string deal_ii_version() { return DEAL_II_PACKAGE_VERSION; }
 
 }  // namespace femsph::fem

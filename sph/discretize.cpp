@@ -1,5 +1,7 @@
 #include "sph/discretize.hpp"
 
+#include "sph/rows.hpp"
+
 #include <algorithm>
 #include <stdexcept>
 
@@ -28,6 +30,28 @@ std::unique_ptr<Discretization> discretize(const Scene& scene, std::size_t body,
   if (classic && scene.large_motion) return updated_lagrangian(scene, body, options, std::move(particles), kernel);
   return shape.dim() == 2 ? total_lagrangian<2>(scene, body, options, std::move(particles), kernel)
                           : total_lagrangian<3>(scene, body, options, std::move(particles), kernel);
+}
+
+double surface_weight_loss(const Scene& scene, std::size_t body, const Options& options) {
+  const Shape& shape = *scene.bodies[body].shape;
+  const Particles particles = fill(shape, options);
+  const Kernel kernel(options.kernel, shape.dim(), options.smoothing * particles.spacing);
+  const auto rows = options.boundary == Boundary::virtual_particles ? virtual_rows(particles, kernel) : lattice_rows(particles, kernel);
+  const auto nearest = [&](const Point& p) {
+    std::size_t best = 0;
+    const auto distance = [&](std::size_t i) {
+      double r = 0;
+      for (int a = 0; a < 3; ++a) r += (particles.position[i][a] - p[a]) * (particles.position[i][a] - p[a]);
+      return r;
+    };
+    for (std::size_t i = 1; i < particles.size(); ++i)
+      if (distance(i) < distance(best)) best = i;
+    return best;
+  };
+  Point middle{}, top{};
+  for (int a = 0; a < 3; ++a) top[a] = middle[a] = 0.5 * (shape.lower()[a] + shape.upper()[a]);
+  top[1] = shape.upper()[1];
+  return 1 - rows->kernel_sum(nearest(top)) / rows->kernel_sum(nearest(middle));
 }
 
 }  // namespace femsph::sph

@@ -100,6 +100,8 @@ class March {
     double energy = 0, damping = 0, viscosity = 0;
   };
   Kinetic kinetic() const;
+  /// Axes normal to the body's symmetry planes: along these its other half pushes back.
+  std::array<bool, 3> mirrored_axes(const MovingBody& body) const;
   template <class Take>
   void internal_forces(const MovingBody& body, Take&& take) const;
   [[noreturn]] void fail(const std::string& what, const std::string& advice) const;

@@ -142,12 +142,20 @@ void March::internal_forces(const MovingBody& body, Take&& take) const {
   }
 }
 
+std::array<bool, 3> March::mirrored_axes(const MovingBody& body) const {
+  std::array<bool, 3> axes{};
+  for (const Symmetry& s : scene_.symmetries)
+    if (&bodies_[s.place.body] == &body) axes[s.axis()] = true;
+  return axes;
+}
+
 double March::force_imbalance() const {
   double worst = 0;
   for (const MovingBody& body : bodies_) {
     Point sum{}, size{};
+    const std::array<bool, 3> mirrored = mirrored_axes(body);
     internal_forces(body, [&](const Point&, const Point& f) {
-      for (int c = 0; c < 3; ++c) sum[c] += f[c], size[c] += std::abs(f[c]);
+      for (int c = 0; c < 3; ++c) sum[c] += mirrored[c] ? 0.0 : f[c], size[c] += std::abs(f[c]);
     });
     const double all = size[0] + size[1] + size[2];
     if (all > 0) worst = std::max(worst, (std::abs(sum[0]) + std::abs(sum[1]) + std::abs(sum[2])) / all);
@@ -160,9 +168,11 @@ double March::moment_imbalance() const {
   for (const MovingBody& body : bodies_) {
     Point sum{};
     double all = 0;
+    const std::array<bool, 3> mirrored = mirrored_axes(body);
     internal_forces(body, [&](const Point& x, const Point& f) {
       for (int c = 0; c < 3; ++c) {
         const int a = (c + 1) % 3, b = (c + 2) % 3;
+        if (mirrored[a] || mirrored[b]) continue;
         sum[c] += x[a] * f[b] - x[b] * f[a];
         all += std::abs(x[a] * f[b]) + std::abs(x[b] * f[a]);
       }

@@ -20,15 +20,15 @@ void set_threads(int n);
 /// ten times longer over each.
 void flush_denormals();
 
-/// Below this many items a loop is not worth a fork.
-inline constexpr std::size_t serial_below = 2048;
+/// Below this many particles or cells a loop is not worth a fork.
+inline constexpr std::size_t serial_below = 8192;
 
-/// Calls body(begin, end) on ranges that cover [0, n); the borders are multiples of `grain`.
+/// Calls body(begin, end) on ranges that cover [0, n); the borders are multiples of `grain`. An item stands for `weight` particles or cells.
 /// The ranges may depend on the thread count, so body must treat each item on its own.
 template <class Body>
-void parallel_for(std::size_t n, std::size_t grain, Body&& body) {
+void parallel_for(std::size_t n, std::size_t grain, Body&& body, [[maybe_unused]] std::size_t weight = 1) {
 #ifdef _OPENMP
-  const int t = n < serial_below ? 1 : threads();
+  const int t = n * weight < serial_below ? 1 : threads();
   if (t > 1) {
     const std::size_t grains = (n + grain - 1) / grain;
 #pragma omp parallel num_threads(t)

@@ -12,7 +12,7 @@ do for [name in "fig5-stress fig9-stress"] {
   }
 }
 
-set ylabel "displacement of the end, mm"
+set ylabel "displacement of the end, {/Symbol m}m"
 do for [name in "fig6-displacement fig10-displacement"] {
   set output figure(name)
   set title (name eq "fig6-displacement" ? "d = 10 mm" : "d = 2.5 mm")

@@ -125,7 +125,7 @@ std::string markdown(const std::vector<Collector::Line>& lines) {
   std::string text = fmt::format("{}, {}\n\n| case | units | ns a unit | times the triad | oracle / this | bytes a unit |\n|---|---:|---:|---:|---:|---:|\n", version_line(),
                                  [] {
                                    for (const auto& [key, value] : provenance())
-                                     if (key == "cpu") return value;
+                                     if (key == "processor") return value;
                                    return std::string("unknown machine");
                                  }());
   for (const auto& l : lines) {

@@ -221,7 +221,7 @@ TEST(Reduce, FrequencyOfAnUndampedTip) {
   }
   QuantitySpec quantity;
   quantity.name = "frequency";
-  quantity.observed = {"tip", "", "", "y", {"Hz", 1}};
+  quantity.observed = {"tip", "", "", "", "y", {"Hz", 1}};
   quantity.reduce = Reduce::frequency;
   quantity.theory = "cantilever_frequency";
   const Reduced reduced = reduce(quantity, r, cantilever(), nullptr);

@@ -20,7 +20,10 @@ TEST(Dynamics, EnergyBalancesAndMomentumIsKeptInAnUndampedRun) {
     EXPECT_LT(std::abs(r.ledger.imbalance()), 1e-3 * std::abs(r.ledger.external)) << method;
     EXPECT_LT(std::abs(r.ledger.imbalance()), 1e-9 * std::abs(r.ledger.external)) << method;
     EXPECT_LT(r.momentum_error, 1e-11) << method;
-    if (std::string(method).starts_with("fem") || std::string(method) == "sph-corrected") EXPECT_LT(r.moment_error, 1e-11) << method;
+    const bool turns_free = std::string(method).starts_with("fem") || std::string(method) == "sph-corrected";
+    if (turns_free) {
+      EXPECT_LT(r.moment_error, 1e-11) << method;
+    }
     EXPECT_GT(r.ledger.kinetic, 0) << method;
   }
 }
@@ -46,7 +49,8 @@ TEST(Dynamics, WaveInABarHasItsPeriodAndPeak) {
 }
 
 // First frequency of the plane-stress cantilever: 82.990 Hz (converged, CASES); Euler-Bernoulli 83.552. From the mean of the tip's
-// crossings over six periods.
+// crossings over six periods. A ten-mode sum of beam theory peaks at 1.996 x static within 50 ms; the true beam's shear and the
+// discretization's high modes shift the beats, so the peak is asked to lie in 1.93 .. 2.
 TEST(Dynamics, CantileverSwingsAtItsFirstFrequency) {
   const Scene scene = cantilever(1.5e3, "[time]\nduration = \"75 ms\"\nsamples = 4000\n");
   const double limit = fem::static_limit(scene, {100, 10, 1}, 4).probes.at("tip")[1];
@@ -61,17 +65,17 @@ TEST(Dynamics, CantileverSwingsAtItsFirstFrequency) {
     EXPECT_NEAR(error(frequency, 82.990), 0, 0.7) << method;
     const double peak = *std::min_element(y.begin(), y.end()) / limit;
     EXPECT_LT(peak, 2.0) << method;
-    EXPECT_GT(peak, 1.95) << method;
+    EXPECT_GT(peak, 1.93) << method;
   }
 }
 
 TEST(Dynamics, TwoThreadsAndASecondRunGiveTheSameBits) {
-  const Scene scene = cantilever(25e3, "[time]\nduration = \"0.3 ms\"\n");
+  const Scene scene = cantilever(25e3, "[time]\nduration = \"0.1 ms\"\n");
   for (const char* method : {"fem-full", "fem-assumed-strain", "sph-corrected", "sph-classic-share"}) {
     std::vector<double> y[3];
     for (int k = 0; k < 3; ++k) {
       set_threads(k == 1 ? 2 : 1);
-      y[k] = run(scene, method, 4).history["tip_y"].values;
+      y[k] = run(scene, method, 2.5).history["tip_y"].values;
     }
     set_threads(1);
     EXPECT_EQ(y[0], y[1]) << method;

@@ -94,6 +94,7 @@ point = ["300 mm", "50 mm", "2.5 mm"]
 duration = "20 ms"
 samples = 10
 [settling]
+method = "damping"
 )", "depth.toml");
   EXPECT_NEAR(error(-1e3 * last(run(scene, "sph-classic-full", 2.5), "tip_y"), 0.5143), -18.5, 1);
 }

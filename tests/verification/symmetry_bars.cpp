@@ -104,6 +104,7 @@ TEST(Symmetry, HalfBeamMovesAsTheWhole) {
     EXPECT_NEAR(2 * half.march->ledger().kinetic, whole.march->ledger().kinetic, 1e-8 * whole.march->ledger().external) << method;
     EXPECT_NEAR(half.march->critical_step(), whole.march->critical_step(), 0.02 * whole.march->critical_step()) << method;
     EXPECT_LT(half.balance(), 1e-9) << method;
+    EXPECT_LT(half.march->force_imbalance(), 1e-11) << method;
   }
 }
 
