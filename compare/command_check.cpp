@@ -41,6 +41,7 @@ std::string effects_off(const Scene& scene) {
   off(scene.large_motion, "finite rotation");
   off(!scene.symmetries.empty(), "symmetry");
   off(!scene.bars.empty(), "bars");
+  off(scene.is_plastic(), "plasticity");
   off(!scene.initial_velocities.empty(), "initial velocity");
   off(scene.gravity.has_value(), "gravity");
   off(scene.damping.has_value(), "damping");

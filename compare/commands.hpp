@@ -32,6 +32,14 @@ int run_command(const RunCommand& command);
 /// Reads the scene; with a solver and a resolution also discretizes it, and prints what follows: sizes, critical step, memory, time.
 int check_command(const RunCommand& command);
 
+/// `femsph point`: one material point along a path of strains.
+struct PointCommand {
+  std::string scene, material, path;
+  std::string plane, integration;  ///< empty: as the scene says
+  std::string out;                 ///< empty: to the terminal
+};
+int point_command(const PointCommand& command);
+
 /// The method and resolution that a command line asks for. Throws std::runtime_error with "did you mean".
 Method method_of(const RunCommand& command);
 Resolution resolution_of(const RunCommand& command);

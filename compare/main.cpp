@@ -63,6 +63,15 @@ int run_program(int argc, char** argv) {
   add_method_options(check_app, check);
   check_app->get_option("--solver")->required(false);
 
+  PointCommand point;
+  CLI::App* point_app = app.add_subcommand("point", "drive the law of one material along a path of strains; no discretization");
+  point_app->add_option("scene", point.scene, "scene file (TOML)")->required();
+  point_app->add_option("--material", point.material, "a material of the scene")->required();
+  point_app->add_option("--path", point.path, "CSV of total strains, one row a step: exx,eyy,gxy or exx,eyy,ezz,gxy,gyz,gzx (g = 2 e)")->required();
+  point_app->add_option("--plane", point.plane, "stress, strain or none (default: the scene's)");
+  point_app->add_option("--integration", point.integration, "return, no-return-1, no-return-3 or no-return-8 (default: the material's)");
+  point_app->add_option("--out", point.out, "CSV to write (default: the terminal)");
+
   CLI::App* list_app = app.add_subcommand("list", "list studies and methods");
 
   try {
@@ -76,6 +85,7 @@ int run_program(int argc, char** argv) {
   if (*study_app) return study_command(study);
   if (*run_app) return run_command(run);
   if (*check_app) return check_command(check);
+  if (*point_app) return point_command(point);
   if (*list_app) return list_command(argv[0]);
   return bad_command;
 }

@@ -17,6 +17,7 @@ bool of_section(Reduce reduce) { return reduce == Reduce::fibre_upper || reduce 
 
 std::size_t component_index(const std::string& component) {
   static const std::vector<std::string> vector = {"x", "y", "z"}, tensor = {"xx", "yy", "zz", "xy", "yz", "zx"};
+  if (component == "equivalent") return 0;  // a scalar
   const auto& names = component.size() == 1 ? vector : tensor;
   return std::find(names.begin(), names.end(), component) - names.begin();
 }

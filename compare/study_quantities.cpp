@@ -23,7 +23,7 @@ const std::vector<std::pair<std::string, Reduce>> reductions = {{"final", Reduce
                                                                 {"l2", Reduce::l2}};
 const std::vector<std::pair<std::string, SignRule>> signs = {
     {"as-is", SignRule::as_is}, {"reversed", SignRule::reversed}, {"magnitude", SignRule::magnitude}};
-const std::vector<std::string> energies = {"kinetic_energy", "strain_energy", "hourglass_energy", "external_work", "damping_loss", "viscosity_loss"};
+const std::vector<std::string> energies = {"kinetic_energy", "strain_energy", "hourglass_energy", "external_work", "damping_loss", "viscosity_loss", "plastic_work"};
 const std::vector<std::string> scalars = {"surface_weight_loss"};
 
 bool of_section(Reduce reduce) { return reduce == Reduce::fibre_upper || reduce == Reduce::fibre_lower || reduce == Reduce::l2; }
@@ -35,14 +35,17 @@ const char* si_unit(Quantity quantity) {
     case Quantity::velocity:
       return "m/s";
     case Quantity::stress:
+    case Quantity::equivalent_stress:
       return "Pa";
     case Quantity::strain:
+    case Quantity::plastic_strain:
       break;
   }
   return "1";
 }
 
 std::vector<std::string> components(Quantity quantity) {
+  if (quantity == Quantity::plastic_strain || quantity == Quantity::equivalent_stress) return {"equivalent"};
   const bool vector = quantity == Quantity::displacement || quantity == Quantity::velocity;
   return vector ? std::vector<std::string>{"x", "y", "z"} : std::vector<std::string>{"xx", "yy", "zz", "xy", "yz", "zx"};
 }
@@ -109,7 +112,7 @@ Observed read_observed(Fields& fields, const std::optional<std::string>& scene, 
     const auto quantity = find_observer(fields, key, probe ? *probe : *section, scene, study);
     if (!quantity) return observed;
     const auto known = components(*quantity);
-    observed.component = component.value_or("");
+    observed.component = component.value_or(known.size() == 1 ? known[0] : "");
     if (std::find(known.begin(), known.end(), observed.component) == known.end())
       fields.fault(component ? "component" : key,
                    fmt::format("the component is {}; expected {}", in_quotes(observed.component), one_of(known)));

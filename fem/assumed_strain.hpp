@@ -156,7 +156,7 @@ struct AssumedStrainElement {
       Symmetric<T, dim> strain = mean;
       field.add_to(p, strain);
       auto stress = advance_law<LawType, T, dim>(material.law, strain, state + p * point_state_size<LawType, dim>);
-      observer.point(p, weight, frame, strain, stress);
+      observer.point(p, weight, frame, strain, stress, history_of<LawType, dim>(state + p * point_state_size<LawType, dim>));
       for (int k = 0; k < symmetric_size<dim>; ++k) sum[k] += stress[k];
       moments.add_moments(p, stress);
     }

@@ -15,10 +15,11 @@ struct Sample {
   std::size_t point;                     ///< cell * points per cell + number in the cell
   double volume;                         ///< m^dim, without the thickness
   std::array<double, 6> stress, strain;  ///< Cauchy; xx yy zz xy yz zx
+  double plastic;                        ///< equivalent plastic strain; 0 when the law has none
 };
 
 struct Energies {
-  double strain = 0, hourglass = 0;  ///< J
+  double strain = 0, hourglass = 0, plastic = 0;  ///< J
 };
 
 class CellLoop {

@@ -158,21 +158,23 @@ class Loop final : public StiffnessLoop<ElementType, dim, T> {
   }
 
   Energies energies(const double* u) const override {
-    // Two sums in one pass: the second is kept per chunk of parallel_sum and added in chunk order.
-    std::vector<double> hourglass(batches_.count, 0.0);
+    // Three sums in one pass: the others are kept per chunk of parallel_sum and added in chunk order.
+    std::vector<double> hourglass(batches_.count, 0.0), plastic(state_size == 0 ? 0 : batches_.count, 0.0);
     Energies sum;
     sum.strain = thickness_ * parallel_sum(batches_.count, [&](std::size_t begin, std::size_t end) {
       EnergyObserver<LawType, dim> observer{material_};
       observe(u, begin * lanes, std::min(end * lanes, batches_.cells), observer);
       hourglass[begin] = observer.hourglass_;
+      if constexpr (state_size > 0) plastic[begin] = observer.plastic;
       return observer.strain;
     });
     for (const double part : hourglass) sum.hourglass += thickness_ * part;
+    for (const double part : plastic) sum.plastic += thickness_ * part;
     return sum;
   }
 
   void samples(const double* u, std::size_t begin, std::size_t end, const std::function<void(const Sample&)>& take) const override {
-    SampleObserver<dim> observer{material_.elastic, take};
+    SampleObserver<LawType, dim> observer{material_.law, take};
     observe(u, begin, end, observer);
   }
   std::size_t bytes() const override { return Base::bytes() + state_.capacity() * sizeof(double); }

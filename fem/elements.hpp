@@ -3,7 +3,7 @@
 // eight (T = Pack), x[corner * dim + component], and gives f = dE/du, the nodal forces that the stress works against.
 // The force is always the exact adjoint of the strain, so a law with an energy gives a force with an energy.
 //
-// An observer sees every material point (number, volume, frame, strain, stress) and the hourglass energy; Unobserved is free.
+// An observer sees every material point (number, volume, frame, strain, stress, the law's history) and the hourglass energy; Unobserved is free.
 
 #include <type_traits>
 
@@ -51,7 +51,7 @@ struct FullElement {
       Symmetric<T, dim> strain;
       const auto frame = Kinematics::template strain<T, dim>(H, strain);
       const auto stress = advance_law<LawType, T, dim>(material.law, strain, state + q * point_state_size<LawType, dim>);
-      observer.point(q, det, frame, strain, stress);
+      observer.point(q, det, frame, strain, stress, history_of<LawType, dim>(state + q * point_state_size<LawType, dim>));
       Kinematics::template piola<T, dim>(frame, stress, P);
       sum.add(q, P, C);
     }
@@ -88,7 +88,7 @@ struct SriElement {
       Symmetric<T, dim> assumed = strain[q];
       for (int k = 0; k < shears; ++k) assumed[dim + k] = shear_strain[k] * share;
       stress[q] = advance_law<LawType, T, dim>(material.law, assumed, state + q * point_state_size<LawType, dim>);
-      observer.point(q, det[q], frame[q], assumed, stress[q]);
+      observer.point(q, det[q], frame[q], assumed, stress[q], history_of<LawType, dim>(state + q * point_state_size<LawType, dim>));
       for (int k = 0; k < shears; ++k) shear_stress[k] += det[q] * stress[q][dim + k];
     }
     GaussForce<T, dim> sum;
@@ -125,7 +125,7 @@ struct OnePointElement {
     Symmetric<T, dim> strain;
     const auto frame = Kinematics::template strain<T, dim>(L, strain);
     const auto stress = advance_law<LawType, T, dim>(material.law, strain, state);
-    observer.point(0, cell.volume, frame, strain, stress);
+    observer.point(0, cell.volume, frame, strain, stress, history_of<LawType, dim>(state));
     Kinematics::template piola<T, dim>(frame, stress, P);
     for (int i = 0; i < dim; ++i)
       for (int j = 0; j < dim; ++j) P[i][j] *= cell.volume;

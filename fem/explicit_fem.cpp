@@ -79,6 +79,7 @@ ExplicitFem::ExplicitFem(const Scene& scene, std::size_t body, const Options& op
   bars_ = TrussBars(rows, nodes, mesh_.dim, scene.large_motion);
   bars_.add_mass(mass_);
   bars_text_ = femsph::describe(rows, scene);
+  plastic_ = material.plasticity.has_value();
   wave_speed_ = std::visit([](const auto& l) { return l.wave_speed(); }, law);
   loop_ = make_loop(element_, {&mesh_, &batches_, law, thickness_, options.hourglass, scene.large_motion, options.scalar_kernel});
 }
@@ -155,6 +156,7 @@ void ExplicitFem::material_state(const double* u, std::span<const std::size_t> p
   const std::size_t n = static_cast<std::size_t>(loop_->points_per_cell());
   out.stress.resize(points.size());
   out.strain.resize(points.size());
+  out.plastic.resize(plastic_ ? points.size() : 0);
   std::vector<Sample> cell;
   std::size_t known = std::numeric_limits<std::size_t>::max();
   for (std::size_t k = 0; k < points.size(); ++k) {
@@ -165,6 +167,7 @@ void ExplicitFem::material_state(const double* u, std::span<const std::size_t> p
     }
     out.stress[k] = cell[points[k] % n].stress;
     out.strain[k] = cell[points[k] % n].strain;
+    if (plastic_) out.plastic[k] = cell[points[k] % n].plastic;
   }
 }
 

@@ -21,7 +21,7 @@ class Oracle final : public ExplicitFem {
  public:
   Oracle(const Scene& scene, std::size_t body, const Options& options)
       : ExplicitFem(scene, body, options),
-        law_(std::get<LinearElastic>(scene.material_of(scene.bodies[body]).law(scene.plane))),
+        law_(elastic_of(scene, body, "the FEValues oracle")),
         fe_(dealii::FE_Q<dim>(1), dim),
         dofs_(triangulation_) {
     make_triangulation<dim>(*shape_, options.divisions, options.distortion, triangulation_);

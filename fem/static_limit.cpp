@@ -36,7 +36,7 @@ class StaticSolver {
   StaticSolver(const Scene& scene, const std::array<int, 3>& divisions, int degree)
       : scene_(scene),
         body_(scene.bodies.at(0)),
-        law_(std::get<LinearElastic>(scene.material_of(body_).law(scene.plane))),
+        law_(elastic_of(scene, 0, "the static limit")),
         thickness_(dim == 2 ? body_.thickness : 1.0),
         fe_(dealii::FE_Q<dim>(static_cast<unsigned int>(degree)), dim),
         dofs_(triangulation_) {
@@ -261,9 +261,11 @@ class StaticSolver {
         s[k] = 2 * law_.mu * e[k] + (i == j ? law_.lambda * trace : 0.0);
       }
     if (dim == 2) {
-      e[2] = law_.thickness_strain(e[0], e[1]);
-      s[2] = law_.thickness_stress(s[0], s[1]);
+      e[2] = law_.thickness_strain({e[0], e[1], e[3]}, {s[0], s[1], s[3]}, nullptr);
+      s[2] = law_.thickness_stress({s[0], s[1], s[3]}, nullptr);
     }
+    if (quantity == Quantity::equivalent_stress) return {von_mises({s[0], s[1], s[2], s[3], s[4], s[5]})};
+    if (quantity == Quantity::plastic_strain) return {0};
     return quantity == Quantity::stress ? s : e;
   }
 

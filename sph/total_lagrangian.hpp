@@ -77,8 +77,14 @@ class TotalLagrangian final : public ParticleBody {
       gradient<false>(block, u, H, L);
       Symmetric<Pack, dim> strain;
       Kinematics::template strain<Pack, dim>(H, strain);
-      return 0.5 * volume(block) * contract(stress_now(block, strain), strain);
+      return volume(block) * law_.stored_energy(strain, stress_now(block, strain), history(block));
     });
+  }
+
+  double dissipated_energy(const double*) const override {
+    const double in_bars = bars_.dissipated_energy();
+    if constexpr (n_state == 0) return in_bars;
+    else return in_bars + sum_over_blocks([&](std::size_t block) { return volume(block) * law_.plastic_work(history(block)); });
   }
 
   /// sum_i V_i kappa/2 sum_j scale_ij |H_i x_ij - u_ij|^2, with scale_ij x_ij = w_ij.
@@ -101,7 +107,6 @@ class TotalLagrangian final : public ParticleBody {
     });
   }
 
-  double dissipated_energy(const double*) const override { return bars_.dissipated_energy(); }
   std::vector<BarPiece> bars(const double* u) const override {
     std::vector<BarPiece> out;
     each_bar<Kinematics>(with_mirrored(u), bars_.pieces, [&](const SmearedPiece& piece, double strain, const Pull&) {
@@ -115,6 +120,7 @@ class TotalLagrangian final : public ParticleBody {
     const double* u = with_mirrored(given);
     out.stress.resize(points.size());
     out.strain.resize(points.size());
+    out.plastic.resize(n_state == 0 ? 0 : points.size());
     Tensor<Pack, dim> H;
     Symmetric<Pack, dim> strain, stress;
     std::size_t known = std::size_t(-1);
@@ -132,7 +138,14 @@ class TotalLagrangian final : public ParticleBody {
       for (int r = 0; r < dim; ++r)
         for (int c = 0; c < dim; ++c) h[r][c] = H[r][c][lane];
       for (int c = 0; c < n_symmetric; ++c) s[c] = stress[c][lane], e[c] = strain[c][lane];
-      spatial_state<Kinematics>(law_, h, s, e, out.stress[k], out.strain[k]);
+      if constexpr (n_state == 0) {
+        spatial_state<Kinematics>(law_, h, s, e, nullptr, out.stress[k], out.strain[k]);
+      } else {
+        double own[n_state - 2 * n_symmetric];
+        for (int c = 0; c < n_state - 2 * n_symmetric; ++c) own[c] = history(block)[c][lane];
+        spatial_state<Kinematics>(law_, h, s, e, own, out.stress[k], out.strain[k]);
+        out.plastic[k] = law_.plastic_strain(own);
+      }
     }
   }
 
@@ -299,6 +312,11 @@ class TotalLagrangian final : public ParticleBody {
         }
       }
     });
+  }
+
+  const Pack* history([[maybe_unused]] std::size_t block) const {
+    if constexpr (n_state == 0) return nullptr;
+    else return reinterpret_cast<const Pack*>(&state_[(block * n_state + 2 * n_symmetric) * lanes]);
   }
 
   FEMSPH_INLINE Symmetric<Pack, dim> stress_now([[maybe_unused]] std::size_t block, const Symmetric<Pack, dim>& strain) const {

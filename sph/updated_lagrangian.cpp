@@ -54,6 +54,7 @@ class UpdatedLagrangian final : public ParticleBody {
       : ParticleBody(scene, body, options, particles, kernel), law_(law), kernel_(kernel), skin_(0.3 * particles_.spacing), volume_(particles_.volume) {
     Scene small = scene;  // the undeformed body moves little: its stiffness is that of the fixed neighbours
     small.large_motion = false;
+    small.materials.at(small.bodies[body].material).plasticity.reset();
     small_ = discretize(small, body, options);
     const std::size_t count = particles_.size();
     stress_.assign(count * n, 0.0);
@@ -71,11 +72,21 @@ class UpdatedLagrangian final : public ParticleBody {
   bool has_viscosity() const override { return options_.viscosity.on(); }
   void damping_matrix(const double* x, double* y) const override { small_->damping_matrix(x, y); }
   double strain_energy(const double*) const override {
-    return parallel_sum(work_.size(), [&](std::size_t begin, std::size_t end) {
-      double s = 0;
-      for (std::size_t i = begin; i < end; ++i) s += work_[i];
-      return s;
-    });
+    if constexpr (LawType::path_independent) return work_done();
+    else
+      return parallel_sum(work_.size(), [&](std::size_t begin, std::size_t end) {
+        double s = 0;
+        for (std::size_t i = begin; i < end; ++i) {
+          Symmetric<double, dim> stress;
+          for (int k = 0; k < n; ++k) stress[k] = stress_[i * n + std::size_t(k)];
+          s += volume_[i] * thickness_ * law_.stored_energy(stress, stress, &history_[i * n_history]);
+        }
+        return s;
+      });
+  }
+  double dissipated_energy(const double*) const override {
+    if constexpr (LawType::path_independent) return 0;
+    else return work_done();
   }
 
   void internal_force(const double* u, const double* v, double dt, double* f, double* viscous) override {
@@ -89,18 +100,29 @@ class UpdatedLagrangian final : public ParticleBody {
   void material_state(const double*, std::span<const std::size_t> points, MaterialState& out) const override {
     out.stress.assign(points.size(), {});
     out.strain.assign(points.size(), {});
+    out.plastic.resize(LawType::path_independent ? 0 : points.size());
     for (std::size_t k = 0; k < points.size(); ++k) {
       const double *s = &stress_[points[k] * n], *e = &strain_[points[k] * n];
       if constexpr (dim == 2) {
-        out.stress[k] = {s[0], s[1], law_.thickness_stress(s[0], s[1]), s[2], 0, 0};
-        out.strain[k] = {e[0], e[1], law_.thickness_strain(e[0], e[1]), e[2], 0, 0};
+        const Symmetric<double, 2> stress{s[0], s[1], s[2]}, strain{e[0], e[1], e[2]};
+        const double* own = history_.data() + points[k] * n_history;
+        out.stress[k] = {s[0], s[1], law_.thickness_stress(stress, own), s[2], 0, 0};
+        out.strain[k] = {e[0], e[1], law_.thickness_strain(strain, stress, own), e[2], 0, 0};
       } else {
         for (std::size_t c = 0; c < 6; ++c) out.stress[k][c] = s[c], out.strain[k][c] = e[c];
       }
+      if constexpr (!LawType::path_independent) out.plastic[k] = law_.plastic_strain(history_.data() + points[k] * n_history);
     }
   }
 
  private:
+  double work_done() const {
+    return parallel_sum(work_.size(), [&](std::size_t begin, std::size_t end) {
+      double s = 0;
+      for (std::size_t i = begin; i < end; ++i) s += work_[i];
+      return s;
+    });
+  }
   void place(const double* u) {
     now_.resize(particles_.size());
     for (std::size_t i = 0; i < now_.size(); ++i)
@@ -181,13 +203,17 @@ class UpdatedLagrangian final : public ParticleBody {
     turn<dim>(Q, &stress_[i * n]);
     turn<dim>(Q, &strain_[i * n]);
     for (int k = 0; k < n; ++k) before[k] = stress[k] = stress_[i * n + std::size_t(k)];
-    law_.update(D, stress, history_.data() + i * n_history);
+    double* own = history_.data() + i * n_history;
+    [[maybe_unused]] double taken = 0;
+    if constexpr (!LawType::path_independent) taken = law_.plastic_work(own);
+    law_.update(D, stress, own);
     for (int k = 0; k < n; ++k) {
       stress_[i * n + std::size_t(k)] = stress[k];
       strain_[i * n + std::size_t(k)] += D[k];
       before[k] = 0.5 * (before[k] + stress[k]);
     }
-    work_[i] += contract(before, D) * volume_[i] * thickness_;
+    if constexpr (LawType::path_independent) work_[i] += contract(before, D) * volume_[i] * thickness_;
+    else work_[i] += (law_.plastic_work(own) - taken) * volume_[i] * thickness_;
     grown_[i] = volume_[i] * (1 + growth);
   }
 
@@ -227,7 +253,8 @@ class UpdatedLagrangian final : public ParticleBody {
   std::vector<Point> now_, middle_, listed_;
   std::vector<std::size_t> begin_;
   std::vector<int> neighbours_;
-  std::vector<double> stress_, strain_, history_, work_;
+  std::vector<double> stress_, strain_, history_;
+  std::vector<double> work_;  ///< J: of the stress if the law stores it all, else what it does not store
 };
 
 }  // namespace

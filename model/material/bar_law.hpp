@@ -4,9 +4,11 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <optional>
 #include <type_traits>
 
 #include "model/material/kinematics.hpp"
+#include "model/material/plastic.hpp"
 
 namespace femsph {
 
@@ -23,9 +25,9 @@ struct BarState {
 struct BarLaw {
   double young, yield, hardening, density;  ///< Pa, Pa, Pa, kg/m^3
 
-  template <class MaterialType>
-  static BarLaw make(const MaterialType& m) {
-    return {m.young, m.yield.value_or(std::numeric_limits<double>::infinity()), m.hardening.value_or(0.0), m.density};
+  /// Of a material's plasticity a bar takes yield stress and hardening; tension rules are for concrete.
+  static BarLaw make(double young, double density, const std::optional<Plasticity>& p) {
+    return {young, p ? p->yield : std::numeric_limits<double>::infinity(), p ? p->hardening : 0.0, density};
   }
 
   /// Stress of the total strain; advances the state. The plastic work is counted by the trapezoid of stress, as the march counts

@@ -91,6 +91,13 @@ template <class LawType, int dim>
 inline constexpr int point_state_size =
     LawType::path_independent ? 0 : 2 * symmetric_size<dim> + LawType::template history_size<dim>;
 
+/// Where the law's own history stands in that state.
+template <class LawType, int dim, class T>
+FEMSPH_INLINE T* history_of(T* state) {
+  if constexpr (LawType::path_independent) return nullptr;
+  else return state + 2 * symmetric_size<dim>;
+}
+
 /// strain -> stress of one material point (or of eight): reads and advances `state` (point_state_size<LawType, dim> values).
 template <class LawType, class T, int dim>
 FEMSPH_INLINE Symmetric<T, dim> advance_law(const LawType& law, const Symmetric<T, dim>& strain, [[maybe_unused]] T* state) {

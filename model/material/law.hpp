@@ -1,73 +1,26 @@
 #pragma once
-// Constitutive laws: plain structs, parameters in, stress out; they know no solver.
+// Constitutive laws: plain structs, parameters in, stress out; they know no solver. README.md in this folder lists them.
 //
 // A law works in the co-rotated frame of a material point. It offers
 //   history_size<dim>      how many doubles of history a point carries (0: none is allocated),
 //   path_independent       true when stress follows from the total strain alone,
 //   stress(strain)         only if path_independent: total strain -> stress,
-//   elastic()              its elastic part (for the critical step and hourglass stiffness),
-//   thickness_stress / _strain   what happens across the plane in 2D,
 //   update(increment, stress, history)
-//                          a strain increment carries stress and history from one step to the next.
+//                          a strain increment carries stress and history from one step to the next,
+//   elastic()              its elastic part (for the critical step and hourglass stiffness),
+//   stored_energy(strain, stress, history)   J/m^3,
+//   thickness_stress(stress, history), thickness_strain(strain, stress, history)   what happens across the plane in 2D,
+//   plastic_strain(history), plastic_work(history)   only if not path_independent: equivalent plastic strain; work not stored, J/m^3.
 // Strain and stress are Symmetric<T, dim>: tensor components, Pa. T is double or Pack.
 
 #include <variant>
 
-#include "model/numerics/tensor.hpp"
+#include "model/material/linear_elastic.hpp"
+#include "model/material/plastic.hpp"
 
 namespace femsph {
 
-/// How a two-dimensional scene stands for a body in space; `none` is three-dimensional.
-enum class Plane { stress, strain, none };
-
-/// Isotropic linear elasticity, sigma = lambda tr(eps) I + 2 mu eps.
-/// In plane stress lambda is the effective 2 lambda mu / (lambda + 2 mu) = E nu / (1 - nu^2), so one formula serves all three cases.
-struct LinearElastic {
-  double lambda;   ///< effective first Lame parameter, Pa
-  double mu;       ///< shear modulus, Pa
-  double density;  ///< kg/m^3
-  double poisson;  ///< of the material (not of the plane)
-  Plane plane;
-
-  /// young > 0 (Pa), -1 < poisson < 0.5, density > 0; the reader of scenes checks them.
-  static LinearElastic make(double young, double poisson, double density, Plane plane) {
-    const double mu = young / (2 * (1 + poisson));
-    const double lambda = young * poisson / ((1 + poisson) * (1 - 2 * poisson));
-    return {plane == Plane::stress ? young * poisson / (1 - poisson * poisson) : lambda, mu, density, poisson, plane};
-  }
-
-  template <int dim>
-  static constexpr int history_size = 0;
-  static constexpr bool path_independent = true;
-
-  template <class T, int dim>
-  FEMSPH_INLINE Symmetric<T, dim> stress(const Symmetric<T, dim>& strain) const {
-    Symmetric<T, dim> s;
-    const T pressure = lambda * trace(strain);
-    for (int k = 0; k < symmetric_size<dim>; ++k) s[k] = 2.0 * mu * strain[k];
-    for (int k = 0; k < dim; ++k) s[k] += pressure;
-    return s;
-  }
-
-  template <class T, int dim>
-  FEMSPH_INLINE void update(const Symmetric<T, dim>& increment, Symmetric<T, dim>& stress_now, T*) const {
-    const Symmetric<T, dim> d = stress(increment);
-    for (int k = 0; k < symmetric_size<dim>; ++k) stress_now[k] += d[k];
-  }
-
-  /// The law's elastic part: what the critical step and the hourglass stiffness are made from.
-  const LinearElastic& elastic() const { return *this; }
-
-  /// Speed of the fastest plane wave of the case, sqrt((lambda + 2 mu)/rho): in plane stress sqrt(E / (rho (1 - nu^2))).
-  double wave_speed() const { return std::sqrt((lambda + 2 * mu) / density); }
-
-  /// Stress normal to the plane: 0 in plane stress, nu (sxx + syy) in plane strain.
-  double thickness_stress(double sxx, double syy) const { return plane == Plane::strain ? poisson * (sxx + syy) : 0.0; }
-  /// Strain normal to the plane: 0 in plane strain, -nu/(1 - nu) (exx + eyy) in plane stress.
-  double thickness_strain(double exx, double eyy) const { return plane == Plane::stress ? -poisson / (1 - poisson) * (exx + eyy) : 0.0; }
-};
-
 /// Every law a scene can name. A discretization visits it once, when it is built.
-using Law = std::variant<LinearElastic>;
+using Law = std::variant<LinearElastic, Plastic>;
 
 }  // namespace femsph

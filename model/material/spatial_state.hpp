@@ -8,15 +8,15 @@
 
 namespace femsph {
 
-/// H: displacement gradient; stress, strain: in the law's frame. Six components xx yy zz xy yz zx out, thickness direction included.
-/// With FiniteRotation the Cauchy stress is P F^T / J (J of the plane in 2D) and the strain is turned to space, R (U - I) R^T.
+/// H: displacement gradient; stress, strain: in the law's frame; history: the law's own, null if it has none. Six components xx yy zz xy yz zx out, thickness direction included.
+/// With FiniteRotation the Cauchy stress is P F^T / J (J includes the stretch across the plane in 2D) and the strain is turned to space, R (U - I) R^T.
 template <class Kinematics, class LawType, int dim>
 void spatial_state(const LawType& law, const Tensor<double, dim>& H, Symmetric<double, dim> stress, Symmetric<double, dim> strain,
-                   std::array<double, 6>& stress_out, std::array<double, 6>& strain_out) {
+                   [[maybe_unused]] const double* history, std::array<double, 6>& stress_out, std::array<double, 6>& strain_out) {
   double szz = 0, ezz = 0;
   if constexpr (dim == 2) {
-    szz = law.thickness_stress(stress[0], stress[1]);
-    ezz = law.thickness_strain(strain[0], strain[1]);
+    szz = law.thickness_stress(stress, history);
+    ezz = law.thickness_strain(strain, stress, history);
   }
   if constexpr (std::is_same_v<Kinematics, FiniteRotation>) {
     Symmetric<double, dim> again;
@@ -28,6 +28,8 @@ void spatial_state(const LawType& law, const Tensor<double, dim>& H, Symmetric<d
     if constexpr (dim == 3)
       J = F[0][0] * (F[1][1] * F[2][2] - F[1][2] * F[2][1]) - F[0][1] * (F[1][0] * F[2][2] - F[1][2] * F[2][0]) +
           F[0][2] * (F[1][0] * F[2][1] - F[1][1] * F[2][0]);
+    J *= 1 + ezz;
+    szz *= (1 + ezz) / J;
     const Symmetric<double, dim> local = strain;
     for (int i = 0; i < dim; ++i)
       for (int j = i; j < dim; ++j) {

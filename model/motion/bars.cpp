@@ -68,11 +68,13 @@ std::vector<BarRow> bar_rows(const Scene& scene, std::size_t body, std::span<con
   for (std::size_t b = 0; b < scene.bars.size(); ++b) {
     const Bar& bar = scene.bars[b];
     if (bar.body != body) continue;
+    const Material& material = scene.materials.at(bar.material);
+    const BarLaw law = BarLaw::make(material.young, material.density, material.plasticity);
     const int dim = scene.dim(), a = bar.axis(), across = dim == 3 ? (a + 1) % 3 : 1 - a;
     for (const Share& one : shares_across(bar, across, points, tolerance)) {
       const std::vector<Share> others = dim == 3 ? shares_across(bar, (a + 2) % 3, points, tolerance) : std::vector<Share>{{0, 1}};
       for (const Share& other : others) {
-        BarRow row{b, a, bar.area * one.share * other.share, BarLaw::make(scene.materials.at(bar.material)), {}, {}, {}, {}, {}};
+        BarRow row{b, a, bar.area * one.share * other.share, law, {}, {}, {}, {}, {}};
         row.at[std::size_t(across)] = one.at;
         if (dim == 3) row.at[std::size_t((a + 2) % 3)] = other.at;
         fill_row(row, bar, points, dim, tolerance);

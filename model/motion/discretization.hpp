@@ -32,6 +32,7 @@ struct Weight {
 /// xx yy zz xy yz zx, in the axes of space (Cauchy stress, Pa), the thickness direction of plane cases included.
 struct MaterialState {
   std::vector<std::array<double, 6>> stress, strain;
+  std::vector<double> plastic;  ///< equivalent plastic strain; empty when the law has none
 };
 
 /// A piece of a reinforcing bar as it is now.
@@ -42,6 +43,9 @@ struct BarPiece {
   double strain, stress;  ///< along the bar; 1, Pa
   double plastic_strain;
 };
+
+/// sqrt(3/2 s:s) with s the deviator of the stress xx yy zz xy yz zx.
+double von_mises(const std::array<double, 6>& stress);
 
 /// Cells or bare points for output: each cell lists its points in VTK order.
 struct Topology {
@@ -77,7 +81,6 @@ class Discretization {
   /// Energy stored (J): by the law, and by hourglass control.
   virtual double strain_energy(const double* u) const = 0;
   virtual double hourglass_energy(const double*) const { return 0.0; }
-
   /// Plastic work so far (J), at the displacement of the last internal_force().
   virtual double dissipated_energy(const double*) const { return 0.0; }
   /// The bars of the body at displacement u.

@@ -6,7 +6,13 @@ namespace femsph {
 
 namespace {
 
-bool on_material(Quantity q) { return q == Quantity::stress || q == Quantity::strain; }
+bool on_material(Quantity q) { return q != Quantity::displacement && q != Quantity::velocity; }
+bool scalar(Quantity q) { return q == Quantity::plastic_strain || q == Quantity::equivalent_stress; }
+
+double scalar_of(const MaterialState& state, Quantity q, std::size_t k) {
+  if (q == Quantity::equivalent_stress) return von_mises(state.stress[k]);
+  return state.plastic.empty() ? 0.0 : state.plastic[k];
+}
 
 std::vector<Weight> weights_at(const March& march, std::size_t body, Quantity quantity, const Point& p) {
   const Discretization& d = *march.bodies()[body].discretization;
@@ -16,6 +22,7 @@ std::vector<Weight> weights_at(const March& march, std::size_t body, Quantity qu
 }  // namespace
 
 std::vector<std::string> component_names(Quantity quantity, int dim) {
+  if (scalar(quantity)) return {"equivalent"};
   if (on_material(quantity)) {
     if (dim == 2) return {"xx", "yy", "zz", "xy"};
     return {"xx", "yy", "zz", "xy", "yz", "zx"};
@@ -28,8 +35,10 @@ std::string unit_of(Quantity quantity) {
   switch (quantity) {
     case Quantity::displacement: return "m";
     case Quantity::velocity: return "m/s";
-    case Quantity::stress: return "Pa";
-    case Quantity::strain: break;
+    case Quantity::stress:
+    case Quantity::equivalent_stress: return "Pa";
+    case Quantity::strain:
+    case Quantity::plastic_strain: break;
   }
   return "1";
 }
@@ -43,6 +52,7 @@ Recorder::Recorder(const March& march) {
   }
   for (const char* energy : {"kinetic_energy", "strain_energy", "hourglass_energy", "external_work", "damping_loss", "viscosity_loss"})
     history_.add(energy, "J");
+  if (scene.is_plastic()) history_.add("plastic_work", "J");
   for (const Section& section : scene.sections) {
     Line line{&section, {}, {}};
     double length = 0;
@@ -68,6 +78,11 @@ std::vector<double> Recorder::read(const March& march, const Reading& reading) c
     for (const Weight& w : reading.weights) points.push_back(w.point);
     MaterialState state;
     d.material_state(body.u.data(), points, state);
+    if (scalar(reading.quantity)) {
+      double value = 0;
+      for (std::size_t k = 0; k < points.size(); ++k) value += reading.weights[k].weight * scalar_of(state, reading.quantity, k);
+      return {value};
+    }
     const auto& values = reading.quantity == Quantity::stress ? state.stress : state.strain;
     std::vector<double> out(dim == 2 ? 4 : 6, 0.0);
     for (std::size_t k = 0; k < points.size(); ++k)
@@ -94,6 +109,7 @@ void Recorder::sample(const March& march) {
     for (double value : read(march, probe)) put(value);
   const Ledger l = march.ledger();
   for (double energy : {l.kinetic, l.strain, l.hourglass, l.external, l.damping, l.viscosity}) put(energy);
+  if (march.scene().is_plastic()) put(l.plastic);
 }
 
 std::map<std::string, Profile> Recorder::profiles(const March& march) const {

@@ -10,7 +10,7 @@
 
 namespace femsph {
 
-/// Names of the components of a quantity: x y z, or xx yy zz xy yz zx; z drops out of 2D vectors, yz zx out of 2D tensors.
+/// Names of the components of a quantity: x y z, or xx yy zz xy yz zx, or "equivalent" of a scalar; z drops out of 2D vectors, yz zx out of 2D tensors.
 std::vector<std::string> component_names(Quantity quantity, int dim);
 std::string unit_of(Quantity quantity);
 

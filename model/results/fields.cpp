@@ -53,22 +53,17 @@ std::vector<long long> connectivity(const Topology& topology, const xdmf::Body& 
   return out;
 }
 
-/// sqrt(3/2 s:s) with s the deviator of the stress xx yy zz xy yz zx.
-double von_mises(const std::array<double, 6>& s) {
-  const double xy = s[0] - s[1], yz = s[1] - s[2], zx = s[2] - s[0];
-  return std::sqrt(0.5 * (xy * xy + yz * yz + zx * zx) + 3.0 * (s[3] * s[3] + s[4] * s[4] + s[5] * s[5]));
-}
-
 /// Where the nine components xx xy xz yx yy yz zx zy zz stand in xx yy zz xy yz zx.
 constexpr std::array<int, 9> full{0, 3, 5, 3, 1, 4, 5, 4, 2};
 
 struct CellFields {
-  std::vector<double> stress, strain, equivalent;
+  std::vector<double> stress, strain, equivalent, plastic;  ///< plastic: empty when the law has none
 };
 
 /// Material points e k .. e k + k - 1 are those of cell e; k = 1 leaves every value as it is, to the last bit.
 CellFields cell_means(const Discretization& d, const MaterialState& state, std::size_t cells) {
-  CellFields out{std::vector<double>(9 * cells), std::vector<double>(9 * cells), std::vector<double>(cells)};
+  CellFields out{std::vector<double>(9 * cells), std::vector<double>(9 * cells), std::vector<double>(cells),
+                 std::vector<double>(state.plastic.empty() ? 0 : cells)};
   const std::size_t k = cells ? d.material_points() / cells : 0;
   for (std::size_t e = 0; e < cells; ++e) {
     double volume = 0;
@@ -80,6 +75,7 @@ CellFields cell_means(const Discretization& d, const MaterialState& state, std::
         out.strain[9 * e + c] += share * state.strain[q][full[c]];
       }
       out.equivalent[e] += share * von_mises(state.stress[q]);
+      if (!state.plastic.empty()) out.plastic[e] += share * state.plastic[q];
     }
   }
   return out;
@@ -146,6 +142,7 @@ void FieldWriter::snapshot(std::size_t body, long step, double time, const doubl
   const std::size_t points = impl_->bodies[body].points, cells = impl_->bodies[body].cells;
   impl_->all_points.resize(d.material_points());
   std::iota(impl_->all_points.begin(), impl_->all_points.end(), std::size_t{0});
+  impl_->state.plastic.clear();
   d.material_state(u, impl_->all_points, impl_->state);
   const CellFields means = cell_means(d, impl_->state, cells);
 
@@ -156,6 +153,8 @@ void FieldWriter::snapshot(std::size_t body, long step, double time, const doubl
   image.dataset(group + "/stress", means.stress, {cells, 9});
   image.dataset(group + "/strain", means.strain, {cells, 9});
   image.dataset(group + "/equivalent_stress", means.equivalent, {cells, 1});
+  impl_->bodies[body].plastic = !means.plastic.empty();
+  if (impl_->bodies[body].plastic) image.dataset(group + "/plastic_strain", means.plastic, {cells, 1});
   impl_->frame.bodies.push_back(body);
 }
 

@@ -59,6 +59,7 @@ std::string grid(const Body& body, const Frame& frame, const std::string& geomet
                      item("Int", body.cells, body.cell_points(), geometry + "/cells"));
   out += fmt::format("          <Geometry GeometryType=\"XYZ\">{}</Geometry>\n", item("Float", body.points, 3, geometry + "/points"));
   for (const Field& field : fields) out += attribute(field, body, data + "/" + field.name);
+  if (body.plastic) out += attribute(plastic_strain, body, data + "/" + plastic_strain.name);
   return out + "        </Grid>\n";
 }
 

@@ -24,10 +24,13 @@ inline constexpr std::array<Field, 5> fields{{{"displacement", "Vector", 3, true
                                               {"strain", "Tensor", 9, false},
                                               {"equivalent_stress", "Scalar", 1, false}}};
 
+inline constexpr Field plastic_strain{"plastic_strain", "Scalar", 1, false};  ///< equivalent; of bodies whose law has it
+
 struct Body {
   std::string name;
   Topology::Kind kind;
   std::size_t points, cells;
+  bool plastic = false;  ///< has the field plastic_strain as well
   /// Points of a cell; a body without cells is made of one-point cells (Polyvertex).
   std::size_t cell_points() const;
 };

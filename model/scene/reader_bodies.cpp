@@ -11,16 +11,49 @@
 namespace femsph::scene_reader {
 namespace {
 
+/// dY/dp, given as it is or by the tangent modulus Et of the uniaxial curve: 1/Et = 1/E + 1/H.
+double read_hardening(Fields& fields, double young) {
+  const auto hardening = fields.quantity("hardening", Need::optional, dimension::pressure, Sign::not_negative);
+  const std::string range = "a number from 0 to below 1 (the tangent modulus over Young's)";
+  const auto ratio = fields.number("tangent_ratio", Need::optional, range);
+  if (ratio && !(*ratio >= 0 && *ratio < 1)) fields.fault("tangent_ratio", fmt::format("\"tangent_ratio\" is {}; expected {}", *ratio, range));
+  if (fields.has("hardening") == fields.has("tangent_ratio"))
+    fields.fault(fields.has("hardening") ? "hardening" : "law",
+                 fmt::format("{} in {}; expected one of them: \"hardening\" is H, Pa per plastic strain, \"tangent_ratio\" is r = Et/E, H = E r / (1 - r)",
+                             fields.has("hardening") ? "both \"hardening\" and \"tangent_ratio\"" : "neither \"hardening\" nor \"tangent_ratio\"",
+                             fields.name()));
+  return hardening.value_or(ratio ? young * *ratio / (1 - *ratio) : 0.0);
+}
+
+Plasticity read_plasticity(Fields& fields, double young) {
+  Plasticity p;
+  p.yield = fields.quantity("yield", Need::required, dimension::pressure, Sign::positive).value_or(1);
+  p.hardening = read_hardening(fields, young);
+  p.tension = fields
+                  .choice<TensionRule>("tension", Need::optional,
+                                       {{"none", TensionRule::none}, {"sign", TensionRule::sign}, {"principal", TensionRule::principal}})
+                  .value_or(TensionRule::none);
+  const bool limited = p.tension != TensionRule::none;
+  p.tensile_strength = fields.quantity("tensile_strength", limited ? Need::required : Need::optional, dimension::pressure, Sign::positive).value_or(0);
+  if (!limited && fields.has("tensile_strength"))
+    fields.fault("tensile_strength", "\"tensile_strength\" without a tension rule; expected tension = \"sign\" or \"principal\" with it");
+  p.integration = fields.choice<Integration>("integration", Need::optional, integrations()).value_or(Integration::return_mapping);
+  return p;
+}
+
 Material read_material(const std::string& name, Fields& fields) {
-  fields.choice<int>("law", Need::required, {{"elastic", 0}});  // so far the only one
+  const auto plastic = fields.choice<bool>("law", Need::required, {{"elastic", false}, {"plastic", true}});
   const auto young = fields.quantity("young", Need::required, dimension::pressure, Sign::positive);
   const std::string range = "a number above -1 and below 0.5 (a stable, compressible material)";
   const auto poisson = fields.number("poisson", Need::required, range);
   if (poisson && !(*poisson > -1 && *poisson < 0.5))
     fields.fault("poisson", fmt::format("\"poisson\" is {}; expected {}", *poisson, range));
   const auto density = fields.quantity("density", Need::required, dimension::density, Sign::positive);
+  Material material{name, young.value_or(1), poisson.value_or(0), density.value_or(1)};
+  if (!plastic) fields.accept_rest();
+  if (plastic == true) material.plasticity = read_plasticity(fields, material.young);
   fields.done();
-  return {name, young.value_or(1), poisson.value_or(0), density.value_or(1)};
+  return material;
 }
 
 std::vector<std::string> material_names(const Scene& scene) {

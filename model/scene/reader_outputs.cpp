@@ -15,7 +15,9 @@ std::optional<Quantity> read_observed(Fields& fields) {
                                  {{"displacement", Quantity::displacement},
                                   {"velocity", Quantity::velocity},
                                   {"stress", Quantity::stress},
-                                  {"strain", Quantity::strain}});
+                                  {"strain", Quantity::strain},
+                                  {"plastic_strain", Quantity::plastic_strain},
+                                  {"equivalent_stress", Quantity::equivalent_stress}});
 }
 
 bool usable(const std::string& name) {

@@ -2,10 +2,23 @@
 
 #include <algorithm>
 #include <cmath>
+#include <stdexcept>
 
 namespace femsph {
 
-Law Material::law(Plane plane) const { return LinearElastic::make(young, poisson, density, plane); }
+Law Material::law(Plane plane) const {
+  const LinearElastic elastic = LinearElastic::make(young, poisson, density, plane);
+  if (plasticity) return Plastic{elastic, *plasticity};
+  return elastic;
+}
+
+const std::vector<std::pair<std::string, Integration>>& integrations() {
+  static const std::vector<std::pair<std::string, Integration>> words = {{"return", Integration::return_mapping},
+                                                                         {"no-return-1", Integration::tangent},
+                                                                         {"no-return-3", Integration::largest_stress},
+                                                                         {"no-return-8", Integration::modulus_mistaken}};
+  return words;
+}
 
 double TimeHistory::at(double t) const {
   const auto next = std::upper_bound(time.begin(), time.end(), t) - time.begin();
@@ -39,12 +52,48 @@ std::vector<Support> Scene::holds() const {
   return all;
 }
 
+LinearElastic elastic_of(const Scene& scene, std::size_t body, const std::string& what) {
+  const Material& material = scene.material_of(scene.bodies.at(body));
+  const Law law = material.law(scene.plane);
+  if (const auto* elastic = std::get_if<LinearElastic>(&law)) return *elastic;
+  throw std::runtime_error(what + " is linear elastic; the material \"" + material.name + "\" is plastic");
+}
+
+bool Scene::is_plastic() const {
+  return std::any_of(bodies.begin(), bodies.end(), [&](const Body& body) { return material_of(body).plasticity.has_value(); }) ||
+         std::any_of(bars.begin(), bars.end(), [&](const Bar& bar) { return materials.at(bar.material).plasticity.has_value(); });
+}
+
+namespace {
+
+/// Plasticity, and whatever of it is not the plain law; each once, whichever body asks for it.
+void add_plastic_effects(const Scene& scene, std::vector<std::string>& on) {
+  const auto add = [&](const char* name) {
+    if (std::find(on.begin(), on.end(), name) == on.end()) on.emplace_back(name);
+  };
+  for (const Body& body : scene.bodies) {
+    const auto& p = scene.material_of(body).plasticity;
+    if (!p) continue;
+    add("plasticity");
+    if (p->tension == TensionRule::sign) add("tension rule sign");
+    if (p->tension == TensionRule::principal) add("tension rule principal");
+    if (p->integration == Integration::tangent) add("no return mapping (hypothesis 1)");
+    if (p->integration == Integration::largest_stress) add("no return mapping (hypothesis 3)");
+    if (p->integration == Integration::modulus_mistaken) add("no return mapping (hypothesis 8)");
+  }
+  for (const Bar& bar : scene.bars)
+    if (scene.materials.at(bar.material).plasticity) add("plasticity");
+}
+
+}  // namespace
+
 std::vector<std::string> Scene::effects() const {
   std::vector<std::string> on;
   const auto add = [&](bool asked, const char* name) {
     if (asked) on.emplace_back(name);
   };
   add(large_motion, "finite rotation");
+  add_plastic_effects(*this, on);
   add(!supports.empty(), "supports");
   add(!symmetries.empty(), "symmetry");
   add(!bars.empty(), "bars");

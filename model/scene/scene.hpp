@@ -19,10 +19,12 @@ namespace femsph {
 struct Material {
   std::string name;
   double young, poisson, density;  ///< Pa, 1, kg/m^3
-  std::optional<double> yield{};      ///< Pa; elastic for ever without it
-  std::optional<double> hardening{};  ///< H = d(yield)/d(equivalent plastic strain), Pa
+  std::optional<Plasticity> plasticity = {};  ///< none: elastic
   Law law(Plane plane) const;      ///< the law of this material in that plane
 };
+
+/// The words for stress integration: "return", "no-return-1", ..
+const std::vector<std::pair<std::string, Integration>>& integrations();
 
 struct Body {
   std::string name;
@@ -90,7 +92,8 @@ struct InitialVelocity {
   Point velocity{};  ///< m/s
 };
 
-enum class Quantity { displacement, velocity, stress, strain };
+/// plastic_strain: equivalent; equivalent_stress: von Mises.
+enum class Quantity { displacement, velocity, stress, strain, plastic_strain, equivalent_stress };
 
 /// Something read at a point in every sample of a run.
 struct Probe {
@@ -146,8 +149,12 @@ struct Scene {
   const Material& material_of(const Body& body) const { return materials.at(body.material); }
   /// The supports, and the symmetry planes as what they hold: their normal component.
   std::vector<Support> holds() const;
+  bool is_plastic() const;  ///< some body's or bar's material is
   /// The effects that this scene asks for, by name; everything else costs nothing.
   std::vector<std::string> effects() const;
 };
+
+/// The elastic law of a body, for a solver `what` that knows no other. Throws std::runtime_error when its material is plastic.
+LinearElastic elastic_of(const Scene& scene, std::size_t body, const std::string& what);
 
 }  // namespace femsph

@@ -22,10 +22,11 @@ using namespace femsph;
 constexpr int threads_of_bench = 1;
 
 /// A steel cantilever of about `cells` cells: 10 x 1 (x 1).
-Scene beam(int dim, double& spacing, double cells) {
+Scene beam(int dim, double& spacing, double cells, bool plastic = false) {
   Scene s;
   s.plane = dim == 2 ? Plane::stress : Plane::none;
   s.materials["steel"] = Material{"steel", 2.1e11, 0.3, 7850};
+  if (plastic) s.materials.at("steel").plasticity = Plasticity{300e6, 2.1e9};
   s.bodies.push_back({"beam", std::make_shared<Box>(dim, Point{}, Point{1, 0.1, dim == 3 ? 0.1 : 0.0}), dim == 2 ? 0.1 : 1.0, "steel"});
   const double across = std::round(dim == 2 ? std::sqrt(cells / 10) : std::cbrt(cells / 10));
   spacing = 0.1 / across;
@@ -40,10 +41,10 @@ Scene beam(int dim, double& spacing, double cells) {
   return s;
 }
 
-void force(benchmark::State& state, int dim, compare::Method method, double cells, bool oracle) {
+void force(benchmark::State& state, int dim, compare::Method method, double cells, bool oracle, bool plastic = false) {
   set_threads(threads_of_bench);
   double spacing = 0;
-  const Scene scene = beam(dim, spacing, cells);
+  const Scene scene = beam(dim, spacing, cells, plastic);
   std::unique_ptr<Discretization> d;
   if (oracle) {
     fem::Options o;
@@ -58,7 +59,11 @@ void force(benchmark::State& state, int dim, compare::Method method, double cell
       u[d->layout().at(i, c)] = 1e-6 * std::sin(0.7 * double(i) + c);
       v[d->layout().at(i, c)] = std::cos(0.3 * double(i) + c);
     }
+  AlignedVector<double> other = u;  // a plastic body goes forth and back, a strain of about 1 % each time, so that it yields in every step
+  if (plastic)
+    for (std::size_t i = 0; i < u.size(); ++i) u[i] *= 1e4 * spacing, other[i] = -u[i];
   for (auto _ : state) {
+    if (plastic) std::swap(u, other);
     d->internal_force(u.data(), v.data(), 1e-9, f.data(), g.empty() ? nullptr : g.data());
     benchmark::DoNotOptimize(f.data());
     benchmark::ClobberMemory();
@@ -153,6 +158,7 @@ void register_all() {
     for (const compare::Method& m : compare::methods()) {
       const double cells = 1e5;
       add(d + m.name + "/force", [=](benchmark::State& s) { force(s, dim, m, cells, false); });
+      if (m.name == "fem-full" || m.name == "sph-corrected") add(d + m.name + " plastic/force", [=](benchmark::State& s) { force(s, dim, m, cells, false, true); });
       add(d + m.name + "/step", [=](benchmark::State& s) { whole_step(s, dim, m, cells); }, true);
     }
     const auto sph = [&](const std::string& label, auto&& change, const char* base = "sph-corrected") {

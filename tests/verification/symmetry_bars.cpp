@@ -13,6 +13,7 @@ namespace {
 struct Beam {
   std::string size, parts, young = "25 GPa", poisson = "0";
   const char* plane = "stress";
+  std::string rebar = "law = \"elastic\"";  ///< or a plastic law
 };
 
 /// A box of concrete with whatever else a test gives; materials "concrete" and "rebar" (200 GPa).
@@ -27,7 +28,7 @@ young = "{}"
 poisson = {}
 density = "2400 kg/m^3"
 [materials.rebar]
-law = "elastic"
+{}
 young = "200 GPa"
 poisson = 0.3
 density = "7850 kg/m^3"
@@ -36,7 +37,7 @@ shape = "box"
 {}
 material = "concrete"
 {}
-{})", b.plane, b.young, b.poisson, b.size, b.parts, end), "beam.toml");
+{})", b.plane, b.young, b.poisson, b.rebar, b.size, b.parts, end), "beam.toml");
 }
 
 /// A march whose end state a test looks into.
@@ -217,8 +218,8 @@ TEST(Bars, YieldAtTheirPlateau) {
             "force = [\"60 kN\", \"0 N\"]\nhistory = {ramp = \"20 ms\"}\n"
             "[bars.middle]\nfrom = [\"0 mm\", \"0 mm\"]\nto = [\"300 mm\", \"0 mm\"]\narea = \"250 mm^2\"\nmaterial = \"rebar\"\n" +
             probe("matrix", "strain", "\"50 mm\", \"0 mm\"");
-  Scene scene = scene_of(b, "[time]\nduration = \"20 ms\"\nsamples = 100\n");
-  scene.materials.at("rebar").yield = 100e6;
+  b.rebar = "law = \"plastic\"\nyield = \"100 MPa\"\nhardening = \"0 Pa\"";
+  const Scene scene = scene_of(b, "[time]\nduration = \"20 ms\"\nsamples = 100\n");
   const double strain = (60e3 - 100e6 * 250e-6) / (10e9 * 0.005);
   for (const char* method : {"fem-assumed-strain", "sph-corrected"}) {
     const Marched r(scene, method, 5);
@@ -236,9 +237,8 @@ TEST(Bars, YieldAtTheirPlateau) {
 TEST(Bars, EnergyBalancesInAnImpact) {
   Beam b = half_span("[bars.bottom]\nfrom = [\"0 mm\", \"-38 mm\"]\nto = [\"950 mm\", \"-38 mm\"]\narea = \"300 mm^2\"\nmaterial = \"rebar\"\n"
                      "[[initial]]\nbody = \"beam\"\nvelocity = [\"0 m/s\", \"-3 m/s\"]\n");
+  b.rebar = "law = \"plastic\"\nyield = \"100 MPa\"\nhardening = \"2 GPa\"";
   Scene scene = scene_of(b, "[time]\nduration = \"20 ms\"\nsamples = 200\n");
-  scene.materials.at("rebar").yield = 100e6;
-  scene.materials.at("rebar").hardening = 2e9;
   for (bool large : {false, true})
     for (const char* method : {"fem-assumed-strain", "sph-corrected", "sph-classic-share"}) {
       if (large && std::string(method) == "sph-classic-share") continue;

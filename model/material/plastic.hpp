@@ -1,0 +1,93 @@
+#pragma once
+// Metal-like plasticity, and what the paper makes of it for concrete.
+//
+//   yield      f = q - Y,  q = sqrt(3/2 s:s) (von Mises),  Y = yield + hardening p   (linear isotropic hardening; eq. 8 of the paper)
+//   flow       d eps^p = dp 3 s / (2 q),  p the equivalent plastic strain
+//
+// A tension rule and the way the stress is integrated are parameters of the one law, so that it is compiled once for all of them:
+// update() works on eight points a call, and asks for the rule once a call. The pieces: return_mapping.hpp, no_return.hpp, tension.hpp.
+
+#include "model/material/linear_elastic.hpp"
+
+namespace femsph {
+
+enum class TensionRule {
+  none,       ///< the same yield stress in tension and compression
+  sign,       ///< the yield stress is `tensile_strength` where the trial mean stress is tension (the paper's concrete: 30 and 3 MPa)
+  principal,  ///< no principal stress above `tensile_strength` (Rankine): a spectral cut-off after the von Mises step
+};
+
+/// How stress follows strain beyond yield. The paper shows results "without return mapping" and does not say how these were
+/// computed: all but return_mapping are hypotheses about that, kept because their results differ.
+enum class Integration {
+  return_mapping,    ///< backward Euler, radial (projected in plane stress)
+  tangent,           ///< hypothesis 1: tangent D^ep (eq. 8) when f >= 0 and loading; Y follows the plastic strain
+  largest_stress,    ///< hypothesis 3: the same, but Y is the largest equivalent stress so far
+  modulus_mistaken,  ///< hypothesis 8: as 1, but Y grows by E dp where H belongs (a slip in eq. 10)
+};
+
+/// What a material says about its plasticity.
+struct Plasticity {
+  double yield = 0;      ///< Pa
+  double hardening = 0;  ///< H = dY/dp, Pa
+  TensionRule tension = TensionRule::none;
+  double tensile_strength = 0;  ///< Pa; sign and principal only
+  Integration integration = Integration::return_mapping;
+};
+
+struct Plastic {
+  LinearElastic base;
+  Plasticity parameters;
+
+  /// History of a point. `excess` is how far the largest equivalent stress so far passed the initial yield stress (hypothesis 3 only);
+  /// `across` is the stress normal to the plane in plane strain, the plastic strain normal to the plane in plane stress.
+  enum Slot { equivalent_strain, work, excess, across };
+  template <int dim>
+  static constexpr int history_size = dim == 2 ? 4 : 3;
+  static constexpr bool path_independent = false;
+
+  /// Advances a point by a strain increment; in plastic.cpp, for T = double and Pack, dim = 2 and 3.
+  template <class T, int dim>
+  void update(const Symmetric<T, dim>& increment, Symmetric<T, dim>& stress, T* history) const;
+
+  /// a : C^-1 : b of three-dimensional stresses, the components across the plane given apart in 2D:
+  /// (a:b - nu/(1 + nu) tr a tr b) / 2G.
+  template <class T, int dim>
+  FEMSPH_INLINE T compliance(const Symmetric<T, dim>& a, const T& a_across, const Symmetric<T, dim>& b, const T& b_across) const {
+    const double share = base.poisson / (1 + base.poisson);
+    return (contract(a, b) + a_across * b_across - share * (trace(a) + a_across) * (trace(b) + b_across)) * (0.5 / base.mu);
+  }
+
+  /// Stress normal to the plane, for any T.
+  template <class T, int dim>
+  FEMSPH_INLINE T stress_across(const T* history) const {
+    if constexpr (dim == 2) {
+      if (base.plane == Plane::strain) return history[across];
+    }
+    return broadcast<T>(0.0);
+  }
+
+  /// 1/2 sigma : C^-1 : sigma, with the stress across the plane. Stress and history decide alone.
+  template <class T, int dim>
+  FEMSPH_INLINE T stored_energy(const Symmetric<T, dim>&, const Symmetric<T, dim>& stress, const T* history) const {
+    const T normal = stress_across<T, dim>(history);
+    return 0.5 * compliance<T, dim>(stress, normal, stress, normal);
+  }
+
+  const LinearElastic& elastic() const { return base; }
+  double wave_speed() const { return base.wave_speed(); }
+  double thickness_stress(const Symmetric<double, 2>&, const double* history) const { return stress_across<double, 2>(history); }
+  /// 0 in plane strain; in plane stress the elastic part -nu/E (sxx + syy) and the plastic part.
+  double thickness_strain(const Symmetric<double, 2>&, const Symmetric<double, 2>& s, const double* history) const {
+    if (base.plane != Plane::stress) return 0;
+    return -base.poisson / (2 * base.mu * (1 + base.poisson)) * (s[0] + s[1]) + history[across];
+  }
+  template <class T>
+  FEMSPH_INLINE T plastic_strain(const T* history) const { return history[equivalent_strain]; }
+  /// Work that the stress has done and the law does not store, J/m^3: sum of mean stress of the step : (d eps - C^-1 d sigma).
+  /// With this sum the leap-frog's ledger closes to round-off; a law that creates energy shows as a negative value.
+  template <class T>
+  FEMSPH_INLINE T plastic_work(const T* history) const { return history[work]; }
+};
+
+}  // namespace femsph

@@ -1,0 +1,123 @@
+// Return mapping against closed forms, the flow rule solved again, and the three-dimensional law.
+
+#include "model_law_support.hpp"
+
+namespace femsph::test {
+namespace {
+
+constexpr double near = 1e-8;
+
+// Uniaxial stress is a straight line of slope Et = E H/(E + H) = E/100 beyond yield:
+// sigma = (sigma_y + H eps)/(1 + H/E) = 318 MPa at eps = 0.01, p = eps - sigma/E.
+TEST(Return, UniaxialStress) {
+  for (Plane plane : {Plane::stress, Plane::none}) {
+    const auto at = [&](double lateral) { return MaterialPoint(plastic_law(plane)).advance({0.01, lateral, plane == Plane::none ? lateral : 0, 0, 0, 0}); };
+    const PointState s = at(root(-0.003, -0.005, [&](double e) { return at(e).stress[1]; }));
+    EXPECT_NEAR(s.stress[0], 318e6, near * 318e6);
+    EXPECT_NEAR(s.plastic_strain, 0.01 - 318e6 / young, near * 0.0085);
+    EXPECT_NEAR(s.equivalent, 318e6, near * 318e6);
+    EXPECT_NEAR(s.strain_across, -poisson * 318e6 / young - 0.5 * s.plastic_strain, near * 0.005);
+  }
+}
+
+// Uniaxial strain eps = 0.005: q_trial = 2G eps, p = (q_trial - sigma_y)/(3G + H), pressure K eps, sx = K eps + 2/3 q, sy = K eps - q/3.
+TEST(Return, UniaxialStrain) {
+  const double p = (2 * shear * 0.005 - yield_stress) / (3 * shear + hardening), q = yield_stress + hardening * p, pressure = young / 1.2 * 0.005;
+  EXPECT_NEAR(pressure + 2 * q / 3, 1077.93725e6, 5);
+  EXPECT_NEAR(pressure - q / 3, 773.53138e6, 5);
+  for (Plane plane : {Plane::strain, Plane::none}) {
+    const PointState s = MaterialPoint(plastic_law(plane)).advance({0.005, 0, 0, 0, 0, 0});
+    EXPECT_NEAR(s.stress[0], pressure + 2 * q / 3, near * 1e9);
+    EXPECT_NEAR(s.stress[1], pressure - q / 3, near * 1e9);
+    EXPECT_NEAR(s.stress[2], pressure - q / 3, near * 1e9) << "carried by the history in plane strain";
+    EXPECT_NEAR(s.plastic_strain, p, near * p);
+  }
+}
+
+// Equal biaxial plane stress: sx = sy = q, eps = q (1 - nu)/E + p/2, q = sigma_y + H p.
+TEST(Return, EqualBiaxialPlaneStress) {
+  const double q = (0.005 + 0.5 * yield_stress / hardening) / ((1 - poisson) / young + 0.5 / hardening);
+  EXPECT_NEAR(q, 316.73307e6, 5);
+  const PointState s = MaterialPoint(plastic_law(Plane::stress)).advance({0.005, 0.005, 0, 0, 0, 0});
+  for (int c : {0, 1}) EXPECT_NEAR(s.stress[c], q, near * q);
+}
+
+// One backward Euler step in plane stress solves eps = C^-1 sigma + dp ds/dsigma; here the flow rule is solved by bisection on
+// m = dp/q: exx = (sx - nu sy)/E + m (sx - sy/2), eyy alike, gxy = sxy/G + 3 m sxy, until q = sigma_y + H m q.
+TEST(Return, PlaneStressSolvesTheFlowRule) {
+  const auto solved = [](const Strain& e, double m) {
+    const double d = 1 / young + m, o = -poisson / young - 0.5 * m, det = d * d - o * o;
+    return std::array{(d * e[0] - o * e[1]) / det, (d * e[1] - o * e[0]) / det, e[3] / (1 / shear + 3 * m)};
+  };
+  for (const Strain& e : {Strain{0.01, -0.003, 0, 0, 0, 0}, Strain{0.01, 0.002, 0, -0.02, 0, 0}, Strain{-0.3, 0.1, 0, 0.5, 0, 0}}) {
+    double low = 0, high = 1 / hardening;
+    std::array<double, 3> s{};
+    double q = 0;
+    for (int turn = 0; turn < 200; ++turn) {
+      const double m = 0.5 * (low + high);
+      s = solved(e, m);
+      q = std::sqrt(s[0] * s[0] - s[0] * s[1] + s[1] * s[1] + 3 * s[2] * s[2]);
+      (q > yield_stress + hardening * m * q ? low : high) = m;
+    }
+    const PointState now = MaterialPoint(plastic_law(Plane::stress)).advance(e);
+    EXPECT_NEAR(now.stress[0], s[0], near * q);
+    EXPECT_NEAR(now.stress[1], s[1], near * q);
+    EXPECT_NEAR(now.stress[3], s[2], near * q);
+    EXPECT_NEAR(now.equivalent, yield_stress + hardening * now.plastic_strain, 1e-12 * q);
+    if (e[0] != 0.01 || e[1] != -0.003) continue;
+    EXPECT_NEAR(now.stress[0], 346.96898e6, 5);
+    EXPECT_NEAR(now.stress[1], 68.67947e6, 5);
+    EXPECT_NEAR(now.equivalent, 318.23685e6, 5);
+  }
+}
+
+// Perfect plasticity, a strain path e perpendicular to s: with z = 2G|e|/R, R = sqrt(2/3) sigma_y, the angle psi between s and e obeys
+// d psi/dz = -sin psi from pi/2, so psi = 2 atan(exp(-z)) (Krieg & Krieg 1977). Radial return is first order in the step.
+TEST(Return, NonProportionalPathConverges) {
+  const double z = 2, radius = std::sqrt(2.0 / 3) * yield_stress;
+  const auto error = [&](int steps) {
+    MaterialPoint point(plastic_law(Plane::none, with(Integration::return_mapping, 0)));
+    const double g = yield_stress / std::sqrt(3.0) / shear;  // pure shear at yield
+    point.advance({0, 0, 0, g, 0, 0});
+    PointState s;
+    for (int k = 1; k <= steps; ++k) {
+      const double e = z * radius / (2 * shear) / std::sqrt(2.0) * k / steps;
+      s = point.advance({e, -e, 0, g, 0, 0});
+    }
+    return std::abs(std::atan2(std::sqrt(2.0) * s.stress[3], std::sqrt(0.5) * (s.stress[0] - s.stress[1])) - 2 * std::atan(std::exp(-z)));
+  };
+  for (int steps : {50, 100, 200}) EXPECT_GT(error(steps) / error(2 * steps), std::pow(2, 0.95));
+  EXPECT_LT(std::abs(2 * error(2000) - error(1000)), 1e-6);
+}
+
+// Plane stress is the law in space whose exz, eyz are 0 and whose ezz makes szz vanish.
+TEST(Return, PlaneStressIsTheLawInSpaceWithoutThicknessStress) {
+  MaterialPoint plane(plastic_law(Plane::stress)), space(plastic_law(Plane::none));
+  double ezz = 0;
+  for (const Strain& e : crooked_path(Plane::stress, 60)) {
+    const auto trial = [&](double z) { return MaterialPoint(space).advance({e[0], e[1], z, e[3], 0, 0}); };
+    ezz = root(ezz, ezz + 1e-4, [&](double z) { return trial(z).stress[2]; });
+    const PointState a = plane.advance(e), b = space.advance({e[0], e[1], ezz, e[3], 0, 0});
+    for (int c : {0, 1, 3}) ASSERT_NEAR(a.stress[c], b.stress[c], near * yield_stress);
+    ASSERT_NEAR(a.strain_across, ezz, near * 0.01);
+    ASSERT_NEAR(a.plastic_strain, b.plastic_strain, near * 0.01);
+    ASSERT_NEAR(a.plastic_work, b.plastic_work, near * yield_stress * 0.01);
+    ASSERT_NEAR(a.stored_energy, b.stored_energy, near * yield_stress * 0.01);
+  }
+  EXPECT_GT(plane.advance({}).plastic_strain, 0.01);
+}
+
+TEST(Return, UnloadingIsElastic) {
+  for (Plane plane : planes) {
+    MaterialPoint point(plastic_law(plane)), elastic(LinearElastic::make(young, poisson, 7850, plane));
+    const PointState loaded = point.advance({0.01, -0.002, 0, 0.004, 0, 0}), back = point.advance({0.0095, -0.0018, 0, 0.0038, 0, 0});
+    const PointState change = elastic.advance({-0.0005, 0.0002, 0, -0.0002, 0, 0});
+    for (int c = 0; c < 6; ++c) EXPECT_NEAR(back.stress[c] - loaded.stress[c], change.stress[c], 1e-12 * young);
+    EXPECT_GT(loaded.plastic_strain, 0);
+    EXPECT_EQ(back.plastic_strain, loaded.plastic_strain);
+    EXPECT_EQ(back.plastic_work, loaded.plastic_work);
+  }
+}
+
+}  // namespace
+}  // namespace femsph::test
