@@ -17,6 +17,10 @@ void print_scene(const Scene& scene) {
   fmt::print("{}: {}\n", scene.file, scene.title);
   line("plane", scene.plane == Plane::stress ? "plane stress" : scene.plane == Plane::strain ? "plane strain" : "none: three-dimensional");
   for (const Body& body : scene.bodies) {
+    if (body.rigid) {
+      line("body " + body.name, fmt::format("rigid {}, {:.6g} kg", body.shape->describe(), body.mass));
+      continue;
+    }
     const Material& m = scene.material_of(body);
     line("body " + body.name, fmt::format("{}, {} (E {:.4g} GPa, nu {:g}, rho {:g} kg/m3)", body.shape->describe(), m.name, m.young / 1e9, m.poisson, m.density));
     line("mass of " + body.name, fmt::format("{:.6g} kg", body.shape->measure() * (scene.dim() == 2 ? body.thickness : 1.0) * m.density));
@@ -39,8 +43,11 @@ std::string effects_off(const Scene& scene) {
     if (!on) text += (text.empty() ? "" : ", ") + std::string(name);
   };
   off(scene.large_motion, "finite rotation");
+  off(!scene.symmetries.empty(), "symmetry");
+  off(!scene.bars.empty(), "bars");
   off(scene.is_plastic(), "plasticity");
   off(!scene.initial_velocities.empty(), "initial velocity");
+  off(!scene.contacts.empty(), "contact");
   off(scene.gravity.has_value(), "gravity");
   off(scene.damping.has_value(), "damping");
   off(scene.settling.has_value(), "settling");
@@ -75,7 +82,8 @@ int check_command(const RunCommand& command) {
   const Method method = method_of(command);
   const Resolution resolution = resolution_of(command);
   std::vector<std::unique_ptr<Discretization>> bodies;
-  for (std::size_t b = 0; b < scene.bodies.size(); ++b) bodies.push_back(discretize(scene, b, method, resolution));
+  for (std::size_t b = 0; b < scene.bodies.size(); ++b)
+    if (!scene.bodies[b].rigid) bodies.push_back(discretize(scene, b, method, resolution));
   MarchOptions options;
   options.safety = command.safety;
   const March march(scene, std::move(bodies), options);

@@ -60,6 +60,7 @@ class Output {
       for (const auto& [name, profile] : recorder.profiles(march)) write_csv(profile, folder_ + "/section_" + name + ".csv");
       record_.ledger = march.ledger();
     }
+    record_.derived = derived_values(march);
     record_.price = march.price();
     record_.outcome = outcome;
     record_.finished_at = utc_now();
@@ -98,6 +99,15 @@ std::vector<std::pair<std::string, std::string>> derived_values(const March& mar
     out.emplace_back(body.name + " " + body.discretization->unit_name() + "s", fmt::format("{}", body.discretization->units()));
     out.emplace_back(body.name + " wave speed", fmt::format("{:.6g} m/s", body.discretization->wave_speed()));
   }
+  for (const RigidBody& body : march.rigid_bodies())
+    out.emplace_back("body " + body.name, fmt::format("rigid {}, {:.6g} kg", body.shape->describe(), body.mass));
+  for (const ContactPair& pair : march.contacts()) {
+    out.emplace_back("contact " + pair.contact().name, fmt::format("penalty {:.4g} Pa/m, friction {:g}", pair.stiffness(), pair.contact().friction));
+    if (march.step() > 0)
+      out.emplace_back(pair.contact().name + " depth", fmt::format("{:.4g} m at most, {:.3g} of the spacing", pair.deepest(), pair.deepest_share()));
+  }
+  if (!march.contacts().empty())
+    out.emplace_back("contact shortens the step", fmt::format("by {:.1f} %", 100 * (1 - march.critical_step() / march.critical_step_without_contact())));
   out.emplace_back("critical step", fmt::format("{:.6g} s", march.critical_step()));
   out.emplace_back("step", fmt::format("{:.6g} s", march.dt()));
   out.emplace_back("planned steps", fmt::format("{}{}", march.planned_steps(), march.scene().settling ? " at most, fewer once settled" : ""));
@@ -111,7 +121,8 @@ std::vector<std::pair<std::string, std::string>> derived_values(const March& mar
 RunResult run_scene(const Scene& scene, const Method& method, const Resolution& resolution, const RunOptions& options) {
   const double start = wall_seconds();
   std::vector<std::unique_ptr<Discretization>> bodies;
-  for (std::size_t b = 0; b < scene.bodies.size(); ++b) bodies.push_back(discretize(scene, b, method, resolution));
+  for (std::size_t b = 0; b < scene.bodies.size(); ++b)
+    if (!scene.bodies[b].rigid) bodies.push_back(discretize(scene, b, method, resolution));
   const double ready = wall_seconds();
   March march(scene, std::move(bodies), options.march);
   march.price().add("setup", ready - start);
@@ -147,7 +158,7 @@ RunResult run_scene(const Scene& scene, const Method& method, const Resolution& 
     r.scalars["surface_weight_loss"] = sph::surface_weight_loss(scene, 0, o);
   }
   for (const MovingBody& body : march.bodies()) r.points += body.discretization->layout().points;
-  const Shape& first = *scene.bodies[0].shape;
+  const Shape& first = *scene.bodies[march.bodies()[0].index].shape;
   if (first.cells() && method.is_fem()) r.spacing = march.bodies()[0].discretization->spacing();
   else r.spacing = height_spacing(first, divisions_of(first, resolution));
   r.cells_over_height = int(std::lround((first.upper()[1] - first.lower()[1]) / r.spacing));

@@ -107,8 +107,12 @@ double largest_of(const Vector& inverse_mass, Apply&& apply) {
 
 }  // namespace
 
-double critical_step(const Discretization& discretization, const AlignedVector<double>& inverse_mass) {
-  const double elastic = largest_of(inverse_mass, [&](const double* x, double* y) { discretization.stiffness(x, y); });
+double critical_step(const Discretization& discretization, const AlignedVector<double>& inverse_mass, std::span<const double> springs) {
+  const auto stiffness = [&](const double* x, double* y) {
+    discretization.stiffness(x, y);
+    for (std::size_t i = 0; i < springs.size(); ++i) y[i] += springs[i] * x[i];
+  };
+  const double elastic = largest_of(inverse_mass, stiffness);
   if (elastic <= 0) return std::numeric_limits<double>::infinity();
   double dt = 2 / std::sqrt(elastic);
   if (!discretization.has_viscosity()) return dt;
@@ -116,7 +120,7 @@ double critical_step(const Discretization& discretization, const AlignedVector<d
   Vector viscous(inverse_mass.size());
   const auto stable = [&](double step) {
     const double lambda = largest_of(inverse_mass, [&](const double* x, double* y) {
-      discretization.stiffness(x, y);
+      stiffness(x, y);
       discretization.damping_matrix(x, viscous.data());
       for (std::size_t i = 0; i < viscous.size(); ++i) y[i] += 2 / step * viscous[i];
     });

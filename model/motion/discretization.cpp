@@ -12,4 +12,38 @@ double von_mises(const std::array<double, 6>& s) {
 
 void Discretization::damping_matrix(const double*, double* y) const { std::fill_n(y, layout().size, 0.0); }
 
+std::vector<Facet> Discretization::boundary() const { return boundary_of(topology()); }
+
+std::vector<Facet> boundary_of(const Topology& topology) {
+  // Sides of a cell in VTK order, each with the cell behind it.
+  static const std::vector<std::array<int, 4>> edges{{0, 1}, {1, 2}, {2, 3}, {3, 0}};
+  static const std::vector<std::array<int, 4>> faces{{0, 3, 2, 1}, {4, 5, 6, 7}, {0, 1, 5, 4}, {1, 2, 6, 5}, {2, 3, 7, 6}, {3, 0, 4, 7}};
+  const bool plane = topology.kind != Topology::Kind::hexahedra;
+  const int corners = plane ? 2 : 4;
+  struct Side {
+    std::array<std::size_t, 4> sorted, points;
+    std::size_t number;
+  };
+  std::vector<Side> sides;
+  for (const auto& cell : topology.cells)
+    for (const auto& side : plane ? edges : faces) {
+      Side s{{}, {}, sides.size()};
+      for (int k = 0; k < corners; ++k) s.points[k] = cell[side[k]];
+      s.sorted = s.points;
+      std::sort(s.sorted.begin(), s.sorted.end());
+      sides.push_back(s);
+    }
+  std::sort(sides.begin(), sides.end(), [](const Side& a, const Side& b) { return a.sorted < b.sorted; });
+  std::vector<Side> lone;
+  for (std::size_t i = 0, j; i < sides.size(); i = j) {
+    for (j = i + 1; j < sides.size() && sides[j].sorted == sides[i].sorted; ++j) {
+    }
+    if (j == i + 1) lone.push_back(sides[i]);
+  }
+  std::sort(lone.begin(), lone.end(), [](const Side& a, const Side& b) { return a.number < b.number; });
+  std::vector<Facet> out;
+  for (const Side& side : lone) out.push_back({side.points});
+  return out;
+}
+
 }  // namespace femsph

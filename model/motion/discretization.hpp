@@ -28,11 +28,26 @@ struct Weight {
   double weight;
 };
 
+/// A piece of a body's boundary between its points. 2D: a segment 0 -> 1 with the body to its left; 3D: a quadrilateral,
+/// counterclockwise seen from outside.
+struct Facet {
+  std::array<std::size_t, 4> points{};
+};
+
 /// Stress and strain at the material points (particles, or quadrature points), one entry each, six components:
 /// xx yy zz xy yz zx, in the axes of space (Cauchy stress, Pa), the thickness direction of plane cases included.
 struct MaterialState {
   std::vector<std::array<double, 6>> stress, strain;
   std::vector<double> plastic;  ///< equivalent plastic strain; empty when the law has none
+};
+
+/// A piece of a reinforcing bar as it is now.
+struct BarPiece {
+  std::size_t bar;        ///< index into Scene::bars
+  Point position;         ///< m, undeformed
+  double area, length;    ///< m^2, m
+  double strain, stress;  ///< along the bar; 1, Pa
+  double plastic_strain;
 };
 
 /// sqrt(3/2 s:s) with s the deviator of the stress xx yy zz xy yz zx.
@@ -74,6 +89,8 @@ class Discretization {
   virtual double hourglass_energy(const double*) const { return 0.0; }
   /// Plastic work so far (J), at the displacement of the last internal_force().
   virtual double dissipated_energy(const double*) const { return 0.0; }
+  /// The bars of the body at displacement u.
+  virtual std::vector<BarPiece> bars(const double*) const { return {}; }
 
   /// The points of a place, sorted, with the share of a unit total force that each takes (sum 1). Empty if there are none.
   virtual std::vector<Weight> points_of(const Place& place) const = 0;
@@ -91,6 +108,11 @@ class Discretization {
   virtual void material_state(const double* u, std::span<const std::size_t> points, MaterialState& out) const = 0;
 
   virtual Topology topology() const = 0;
+  /// The boundary, for contact. Unless a discretization knows better: the sides that belong to one cell of its topology.
+  virtual std::vector<Facet> boundary() const;
 };
+
+/// The sides that belong to one cell only; cells as in a Topology.
+std::vector<Facet> boundary_of(const Topology& topology);
 
 }  // namespace femsph

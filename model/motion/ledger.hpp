@@ -13,10 +13,12 @@ struct Ledger {
   double viscosity = 0;   ///< taken by artificial viscosity
   double initial = 0;     ///< kinetic energy at the start, by the same measure
   double plastic = 0;     ///< work that the law has taken and does not store; negative: a law that creates energy
+  double contact = 0;     ///< stored by the penalty of contacts
+  double friction = 0;    ///< taken by friction in contacts
 
-  double stored() const { return kinetic + strain + hourglass; }
+  double stored() const { return kinetic + strain + hourglass + contact; }
   /// What is missing (> 0) or has come from nowhere (< 0).
-  double imbalance() const { return initial + external - stored() - damping - viscosity - plastic; }
+  double imbalance() const { return initial + external - stored() - damping - viscosity - plastic - friction; }
 };
 
 }  // namespace femsph

@@ -52,6 +52,7 @@ void March::run(const MarchEvents& events) {
 }
 
 void March::forces() {
+  for (RigidBody& body : rigid_) body.load(scene_, time());
   for (MovingBody& body : bodies_) {
     Discretization& d = *body.discretization;
     d.internal_force(body.u.data(), body.v.data(), step_ == 0 ? 0.0 : dt_, body.f.data(), body.viscous.empty() ? nullptr : body.viscous.data());
@@ -61,6 +62,27 @@ void March::forces() {
       for (int c = 0; c < at.dim; ++c)
         for (std::size_t i = 0; i < at.points; ++i) body.f[at.at(i, c)] += d.mass()[i] * (*scene_.gravity)[c];
     }
+  }
+  for (ContactPair& contact : contacts_) {
+    PhaseTimer timer(price_, "contact");
+    contact.add_forces(bodies_, rigid_, step_, dt_);
+  }
+  for (MovingBody& body : bodies_) hold_means(body);  // last: reactions answer to every other force
+}
+
+/// A mean that stands still stays still if sum_i w_i f_i / m_i = 0: the reactions are f_i += R w_i with R = -(sum w f/m) / (sum w^2/m).
+/// They do no work, since sum_i w_i v_i = 0 at every half step.
+void March::hold_means(MovingBody& body) {
+  const auto project = [&](MovingBody::MeanHold& hold, AlignedVector<double>& f) {
+    double sum = 0;
+    for (std::size_t k = 0; k < hold.slots.size(); ++k) sum += hold.weights[k] * body.inverse_mass[hold.slots[k]] * f[hold.slots[k]];
+    const double reaction = -sum / hold.inverse_mass;
+    for (std::size_t k = 0; k < hold.slots.size(); ++k) f[hold.slots[k]] += reaction * hold.weights[k];
+    return reaction;
+  };
+  for (MovingBody::MeanHold& hold : body.means) {
+    hold.reaction = project(hold, body.f);
+    if (!body.viscous.empty()) hold.reaction += project(hold, body.viscous);
   }
 }
 
@@ -136,6 +158,7 @@ void March::kick_and_drift() {
         });
     }
   }
+  move_rigid_bodies();
 }
 
 // With v+ - v- = dt (f/m - c vbar) + dt g/m, the energy 1/2 v-.M v+ changes from step n to n + 1 by
@@ -162,6 +185,10 @@ March::Kinetic March::kinetic() const {
       k.damping += 0.25 * damping_rate_ * dt_ * sum([&](std::size_t i, double before, double after) { return (before + after) * before / body.inverse_mass[i]; });
     if (viscous) k.viscosity -= 0.5 * dt_ * sum([&](std::size_t i, double before, double) { return body.viscous[i] * before; });
   }
+  for (const RigidBody& body : rigid_) {
+    k.energy += 0.5 * body.product(keep, push, 0, 1);
+    k.damping += 0.25 * damping_rate_ * dt_ * body.product(keep, push, 1, 1);
+  }
   return k;
 }
 
@@ -173,6 +200,10 @@ Ledger March::ledger() const {
     l.strain += body.discretization->strain_energy(body.u.data());
     l.hourglass += body.discretization->hourglass_energy(body.u.data());
     l.plastic += body.discretization->dissipated_energy(body.u.data());
+  }
+  for (const ContactPair& contact : contacts_) {
+    l.contact += contact.stored();
+    l.friction += contact.friction_loss();
   }
   l.external = external_work_;
   l.damping = damping_loss_ + k.damping - start_damping_;
@@ -190,6 +221,7 @@ void March::stop_at_kinetic_peak() {
       for (std::size_t i = begin; i < end; ++i) s += 0.5 * body.mass[i] * body.v[i] * body.v[i];
       return s;
     });
+  for (const RigidBody& body : rigid_) now += 0.5 * body.product(0, 0, 1, 0);
   if (now >= half_step_kinetic_) {
     half_step_kinetic_ = now;
     return;
@@ -197,6 +229,10 @@ void March::stop_at_kinetic_peak() {
   const double before = kinetic().energy;
   for (MovingBody& body : bodies_)
     for (std::size_t i = 0; i < body.v.size(); ++i) body.v[i] = -0.5 * dt_ * body.inverse_mass[i] * body.f[i];
+  for (RigidBody& body : rigid_) {
+    body.velocity = body.spin = {};
+    body.start_from(1, dt_);
+  }
   damping_loss_ += before - kinetic().energy;
   half_step_kinetic_ = 0;
 }
@@ -218,6 +254,8 @@ void March::watch() {
       for (std::size_t i = begin; i < end; ++i) s += body.mass[i] * body.u[i] * body.u[i];
       return s;
     });
+  for (const RigidBody& body : rigid_)
+    for (int c = 0; c < 3; ++c) inertia += body.mass * body.moved[c] * body.moved[c];
   if (inertia == 0) return;
   const double omega = std::sqrt(2 * (l.strain + l.hourglass) / inertia);  // Rayleigh quotient of the motion itself
   if (adaptive_damping_) damping_rate_ = 2 * omega;                        // critical for the slowest mode

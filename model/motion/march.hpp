@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "model/motion/contact.hpp"
 #include "model/motion/discretization.hpp"
 #include "model/motion/ledger.hpp"
 #include "model/numerics/array.hpp"
@@ -18,6 +19,7 @@ namespace femsph {
 /// One discretized body and what the march keeps for it.
 struct MovingBody {
   std::string name;
+  std::size_t index = 0;                ///< into Scene::bodies
   std::unique_ptr<Discretization> discretization;
   AlignedVector<double> u, v, f;        ///< displacement (m), velocity at the last half step (m/s), force (N); flat
   AlignedVector<double> inverse_mass;   ///< flat, 1/kg; 0 where a support holds the component, so that it never moves
@@ -29,6 +31,14 @@ struct MovingBody {
     std::size_t load;   ///< index into Scene::loads
   };
   std::vector<NodalLoad> loads;
+  /// A component whose weighted mean over a place is held at zero: sum_i w_i u_i = 0, by the forces R w_i.
+  struct MeanHold {
+    std::vector<std::size_t> slots;
+    std::vector<double> weights;
+    double inverse_mass;   ///< sum_i w_i^2 / m_i, 1/kg
+    double reaction = 0;   ///< R, N
+  };
+  std::vector<MeanHold> means;
 };
 
 struct MarchOptions {
@@ -53,7 +63,7 @@ class MotionError : public std::runtime_error {
 
 class March {
  public:
-  /// Takes the discretization of each of the scene's bodies, in order; `scene` must outlive the march.
+  /// Takes the discretization of each of the scene's bodies that deform, in order; `scene` must outlive the march.
   /// Throws MotionError when a support or load finds no point, when nothing can move, or when a given step is over the limit.
   March(const Scene& scene, std::vector<std::unique_ptr<Discretization>> bodies, const MarchOptions& options);
 
@@ -61,11 +71,15 @@ class March {
   void run(const MarchEvents& events);
 
   const Scene& scene() const { return scene_; }
-  const std::vector<MovingBody>& bodies() const { return bodies_; }
+  const std::vector<MovingBody>& bodies() const { return bodies_; }  ///< those that deform
+  const MovingBody& body(std::size_t index) const;                   ///< by its index in Scene::bodies; it deforms
+  const std::vector<RigidBody>& rigid_bodies() const { return rigid_; }
+  const std::vector<ContactPair>& contacts() const { return contacts_; }
   long step() const { return step_; }
   double time() const { return double(step_) * dt_; }
   double dt() const { return dt_; }
   double critical_step() const { return critical_; }
+  double critical_step_without_contact() const { return critical_alone_; }
   long planned_steps() const;
   bool settled() const { return settled_; }
   /// Energies at the current whole step, J. Costs a pass over the model: for samples, not for every step.
@@ -80,9 +94,14 @@ class March {
 
  private:
   void place_supports_and_loads(MovingBody& body, std::size_t index);
+  void place_rigid_bodies_and_contacts();
+  void find_critical_step();
+  void place_mean_support(MovingBody& body, const Support& support, const std::vector<Weight>& points);
+  void hold_means(MovingBody& body);  ///< adds the reactions of mean supports to the forces
   void start_velocities();
   void forces();            ///< gradient, law, divergence of every body; then loads and gravity
   void kick_and_drift();    ///< v += dt f/m, u += dt v, with whichever damping is on
+  void move_rigid_bodies();
   void watch();             ///< now and then: has it settled, is it still sound, how strong should the damping be
   void stop_at_kinetic_peak();
   /// What the march's energies are made of at a whole step: 1/2 v- . M v+, and half a step's loss to damping and viscosity at v-.
@@ -90,13 +109,17 @@ class March {
     double energy = 0, damping = 0, viscosity = 0;
   };
   Kinetic kinetic() const;
+  /// Axes normal to the body's symmetry planes: along these its other half pushes back.
+  std::array<bool, 3> mirrored_axes(const MovingBody& body) const;
   template <class Take>
   void internal_forces(const MovingBody& body, Take&& take) const;
   [[noreturn]] void fail(const std::string& what, const std::string& advice) const;
 
   const Scene& scene_;
   std::vector<MovingBody> bodies_;
-  double critical_ = 0, dt_ = 0;
+  std::vector<RigidBody> rigid_;
+  std::vector<ContactPair> contacts_;
+  double critical_ = 0, critical_alone_ = 0, dt_ = 0;
   double damping_rate_ = 0;      ///< c, 1/s
   bool adaptive_damping_ = false, kinetic_damping_ = false, settled_ = false;
   long step_ = 0, watch_every_ = 1;

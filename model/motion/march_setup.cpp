@@ -15,19 +15,22 @@ March::March(const Scene& scene, std::vector<std::unique_ptr<Discretization>> bo
   adaptive_damping_ = scene.settling && scene.settling->method == SettlingMethod::damping && !scene.settling->rate;
   kinetic_damping_ = scene.settling && scene.settling->method == SettlingMethod::kinetic;
   damping_rate_ = scene.settling && scene.settling->rate ? *scene.settling->rate : scene.damping.value_or(0.0);
-  critical_ = std::numeric_limits<double>::infinity();
   price_.threads = threads();
   PhaseTimer timer(price_, "critical step");
-  for (std::size_t b = 0; b < bodies.size(); ++b) {
+  std::size_t next = 0;
+  for (std::size_t b = 0; b < scene.bodies.size(); ++b) {
+    if (scene.bodies[b].rigid) continue;
     MovingBody body;
     body.name = scene.bodies[b].name;
-    body.discretization = std::move(bodies[b]);
+    body.index = b;
+    body.discretization = std::move(bodies.at(next++));
     place_supports_and_loads(body, b);
-    critical_ = std::min(critical_, femsph::critical_step(*body.discretization, body.inverse_mass));
     price_.units += body.discretization->units();
     price_.bytes += body.discretization->bytes() + sizeof(double) * (4 * body.u.size() + body.viscous.size() + body.mass.size());
     bodies_.push_back(std::move(body));
   }
+  place_rigid_bodies_and_contacts();
+  find_critical_step();
   if (!std::isfinite(critical_)) throw MotionError("nothing in this scene can move: every displacement is held, or no body has stiffness");
   dt_ = options.step.value_or(options.safety * critical_);
   price_.dt = dt_;
@@ -53,12 +56,14 @@ void March::place_supports_and_loads(MovingBody& body, std::size_t index) {
                                     place.source.line, place.source.column, what, body.name, d.describe()));
     return points;
   };
-  for (const Support& support : scene_.supports) {
-    if (support.place.body != index) continue;
+  for (const Support& support : scene_.holds()) {
+    if (support.place.body != index || support.mean) continue;
     for (const Weight& w : points_of(support.place, "support"))
       for (int c = 0; c < at.dim; ++c)
         if (support.fixed[c]) body.inverse_mass[at.at(w.point, c)] = 0;
   }
+  for (const Support& support : scene_.supports)
+    if (support.place.body == index && support.mean) place_mean_support(body, support, points_of(support.place, "support"));
   for (std::size_t l = 0; l < scene_.loads.size(); ++l) {
     const Load& load = scene_.loads[l];
     if (load.place.body != index) continue;
@@ -68,24 +73,54 @@ void March::place_supports_and_loads(MovingBody& body, std::size_t index) {
   }
 }
 
+void March::place_mean_support(MovingBody& body, const Support& support, const std::vector<Weight>& points) {
+  const Layout& at = body.discretization->layout();
+  for (int c = 0; c < at.dim; ++c) {
+    if (!support.fixed[c]) continue;
+    MovingBody::MeanHold hold{{}, {}, 0, 0};
+    for (const Weight& w : points) {
+      const std::size_t slot = at.at(w.point, c);
+      hold.inverse_mass += w.weight * w.weight * body.inverse_mass[slot];
+      if (body.inverse_mass[slot] == 0) continue;  // held by a support of its own
+      for (const MovingBody::MeanHold& other : body.means)
+        if (std::find(other.slots.begin(), other.slots.end(), slot) != other.slots.end())
+          throw MotionError(fmt::format("{}:{}:{}: two supports with mode = \"mean\" share a point of body \"{}\"; keep their places apart", scene_.file,
+                                        support.place.source.line, support.place.source.column, body.name));
+      hold.slots.push_back(slot);
+      hold.weights.push_back(w.weight);
+    }
+    if (!hold.slots.empty()) body.means.push_back(std::move(hold));
+  }
+}
+
 /// The leap-frog's first velocity belongs to half a step before the start, such that the mean of v(-1/2) and v(+1/2) is v(0).
 void March::start_velocities() {
   const double keep = (1 - 0.5 * damping_rate_ * dt_) / (1 + 0.5 * damping_rate_ * dt_), push = dt_ / (1 + 0.5 * damping_rate_ * dt_);
-  for (std::size_t b = 0; b < bodies_.size(); ++b) {
-    MovingBody& body = bodies_[b];
+  for (MovingBody& body : bodies_) {
     const Layout& at = body.discretization->layout();
     for (const InitialVelocity& start : scene_.initial_velocities)
-      if (start.body == b)
+      if (start.body == body.index)
         for (std::size_t i = 0; i < at.points; ++i)
           for (int c = 0; c < at.dim; ++c) {
             const std::size_t slot = at.at(i, c);
             if (body.inverse_mass[slot] == 0) continue;
             body.v[slot] = start.velocity[c];
           }
+    for (const MovingBody::MeanHold& hold : body.means) {  // a held mean starts at rest
+      double sum = 0;
+      for (std::size_t k = 0; k < hold.slots.size(); ++k) sum += hold.weights[k] * body.v[hold.slots[k]];
+      for (std::size_t k = 0; k < hold.slots.size(); ++k)
+        body.v[hold.slots[k]] -= hold.weights[k] * body.inverse_mass[hold.slots[k]] * sum / hold.inverse_mass;
+    }
     for (std::size_t i = 0; i < body.v.size(); ++i) {
       const double force = body.viscous.empty() ? body.f[i] : body.f[i] + body.viscous[i];
       body.v[i] = (2 * body.v[i] - push * body.inverse_mass[i] * force) / (1 + keep);
     }
+  }
+  for (RigidBody& body : rigid_) {
+    for (const InitialVelocity& start : scene_.initial_velocities)
+      if (start.body == body.index) body.velocity = start.velocity;
+    body.start_from(keep, push);
   }
   const Kinetic k = kinetic();
   initial_energy_ = k.energy;
@@ -100,7 +135,13 @@ template <class Take>
 void March::internal_forces(const MovingBody& body, Take&& take) const {
   AlignedVector<double> f = body.f;
   const Layout& at = body.discretization->layout();
+  for (const ContactPair& contact : contacts_)
+    contact.each_force(std::size_t(&body - bodies_.data()), [&](std::size_t p, const Point& force) {
+      for (int c = 0; c < at.dim; ++c) f[at.at(p, c)] -= force[c];
+    });
   for (const MovingBody::NodalLoad& load : body.loads) f[load.slot] -= load.force * scene_.loads[load.load].history.at(time());
+  for (const MovingBody::MeanHold& hold : body.means)
+    for (std::size_t k = 0; k < hold.slots.size(); ++k) f[hold.slots[k]] -= hold.reaction * hold.weights[k];
   for (std::size_t i = 0; i < at.points; ++i) {
     Point p{}, x = body.discretization->position(i);
     for (int c = 0; c < at.dim; ++c) {
@@ -112,12 +153,20 @@ void March::internal_forces(const MovingBody& body, Take&& take) const {
   }
 }
 
+std::array<bool, 3> March::mirrored_axes(const MovingBody& body) const {
+  std::array<bool, 3> axes{};
+  for (const Symmetry& s : scene_.symmetries)
+    if (&bodies_[s.place.body] == &body) axes[s.axis()] = true;
+  return axes;
+}
+
 double March::force_imbalance() const {
   double worst = 0;
   for (const MovingBody& body : bodies_) {
     Point sum{}, size{};
+    const std::array<bool, 3> mirrored = mirrored_axes(body);
     internal_forces(body, [&](const Point&, const Point& f) {
-      for (int c = 0; c < 3; ++c) sum[c] += f[c], size[c] += std::abs(f[c]);
+      for (int c = 0; c < 3; ++c) sum[c] += mirrored[c] ? 0.0 : f[c], size[c] += std::abs(f[c]);
     });
     const double all = size[0] + size[1] + size[2];
     if (all > 0) worst = std::max(worst, (std::abs(sum[0]) + std::abs(sum[1]) + std::abs(sum[2])) / all);
@@ -130,9 +179,11 @@ double March::moment_imbalance() const {
   for (const MovingBody& body : bodies_) {
     Point sum{};
     double all = 0;
+    const std::array<bool, 3> mirrored = mirrored_axes(body);
     internal_forces(body, [&](const Point& x, const Point& f) {
       for (int c = 0; c < 3; ++c) {
         const int a = (c + 1) % 3, b = (c + 2) % 3;
+        if (mirrored[a] || mirrored[b]) continue;
         sum[c] += x[a] * f[b] - x[b] * f[a];
         all += std::abs(x[a] * f[b]) + std::abs(x[b] * f[a]);
       }

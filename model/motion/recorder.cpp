@@ -1,5 +1,7 @@
 #include "model/motion/recorder.hpp"
 
+#include <fmt/format.h>
+
 #include <cmath>
 
 namespace femsph {
@@ -15,7 +17,7 @@ double scalar_of(const MaterialState& state, Quantity q, std::size_t k) {
 }
 
 std::vector<Weight> weights_at(const March& march, std::size_t body, Quantity quantity, const Point& p) {
-  const Discretization& d = *march.bodies()[body].discretization;
+  const Discretization& d = *march.body(body).discretization;
   return on_material(quantity) ? d.material_interpolation(p) : d.interpolation(p);
 }
 
@@ -53,6 +55,15 @@ Recorder::Recorder(const March& march) {
   for (const char* energy : {"kinetic_energy", "strain_energy", "hourglass_energy", "external_work", "damping_loss", "viscosity_loss"})
     history_.add(energy, "J");
   if (scene.is_plastic()) history_.add("plastic_work", "J");
+  const std::string axes = scene.dim() == 2 ? "xy" : "xyz";
+  for (const RigidBody& body : march.rigid_bodies()) {
+    for (const char a : axes) history_.add(fmt::format("{}_{}", body.name, a), "m");
+    for (const char a : axes) history_.add(fmt::format("{}_v{}", body.name, a), "m/s");
+    if (scene.dim() == 2) history_.add(body.name + "_turn", "rad");
+  }
+  if (!march.contacts().empty()) history_.add("contact_energy", "J"), history_.add("friction_loss", "J");
+  for (const ContactPair& pair : march.contacts())
+    for (const char a : axes) history_.add(fmt::format("contact_{}_force_{}", pair.contact().name, a), "N");
   for (const Section& section : scene.sections) {
     Line line{&section, {}, {}};
     double length = 0;
@@ -70,7 +81,7 @@ Recorder::Recorder(const March& march) {
 }
 
 std::vector<double> Recorder::read(const March& march, const Reading& reading) const {
-  const MovingBody& body = march.bodies()[reading.body];
+  const MovingBody& body = march.body(reading.body);
   const Discretization& d = *body.discretization;
   const int dim = march.scene().dim();
   if (on_material(reading.quantity)) {
@@ -110,6 +121,15 @@ void Recorder::sample(const March& march) {
   const Ledger l = march.ledger();
   for (double energy : {l.kinetic, l.strain, l.hourglass, l.external, l.damping, l.viscosity}) put(energy);
   if (march.scene().is_plastic()) put(l.plastic);
+  const int dim = march.scene().dim();
+  for (const RigidBody& body : march.rigid_bodies()) {
+    for (int c = 0; c < dim; ++c) put(body.centre()[c]);
+    for (int c = 0; c < dim; ++c) put(body.velocity_now(march.dt())[c]);
+    if (dim == 2) put(body.angle);
+  }
+  if (!march.contacts().empty()) put(l.contact), put(l.friction);
+  for (const ContactPair& pair : march.contacts())
+    for (int c = 0; c < dim; ++c) put(pair.force()[c]);
 }
 
 std::map<std::string, Profile> Recorder::profiles(const March& march) const {

@@ -61,7 +61,8 @@ toml::table table(const Pairs& pairs) {
 // clang-format off
 toml::table energies(const Ledger& e) {
   return toml::table{{"kinetic", e.kinetic}, {"strain", e.strain}, {"hourglass", e.hourglass}, {"external", e.external},
-                     {"damping", e.damping}, {"viscosity", e.viscosity}, {"initial", e.initial}, {"plastic", e.plastic}, {"imbalance", e.imbalance()}};
+                     {"damping", e.damping}, {"viscosity", e.viscosity}, {"initial", e.initial}, {"plastic", e.plastic},
+                     {"contact", e.contact}, {"friction", e.friction}, {"imbalance", e.imbalance()}};
 }
 
 toml::table price(const Price& p) {

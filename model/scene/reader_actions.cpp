@@ -77,9 +77,14 @@ bool something_moves(const Scene& scene) {
 void read_supports(Fields& root, Reading& reading) {
   for (Fields& fields : root.tables("supports")) {
     const auto place = read_place(fields, reading);
+    if (place && reading.scene.bodies[place->body].rigid) {
+      read_rigid_support(fields, *place, reading);
+      continue;
+    }
     const auto fixed = read_fixed(fields, reading.dim);
+    const auto mean = fields.choice<bool>("mode", Need::optional, {{"each", false}, {"mean", true}});
     fields.done();
-    if (place && fixed) reading.scene.supports.push_back({*place, *fixed});
+    if (place && fixed) reading.scene.supports.push_back({*place, *fixed, mean.value_or(false)});
   }
 }
 

@@ -62,14 +62,10 @@ std::vector<std::string> material_names(const Scene& scene) {
   return names;
 }
 
-std::vector<std::string> body_names(const Scene& scene) {
-  std::vector<std::string> names;
-  for (const Body& body : scene.bodies) names.push_back(body.name);
-  return names;
-}
-
 Body read_body(const std::string& name, Fields& fields, const Reading& reading) {
   Body body{name, read_shape(fields, reading.dim, reading.folder), 1.0, ""};
+  body.rigid = fields.flag("rigid", Need::optional).value_or(false);
+  if (body.rigid) return read_rigid_body(fields, body, reading), body;
   const Need need = reading.dim == 2 ? Need::required : Need::optional;
   body.thickness = fields.quantity("thickness", need, dimension::length, Sign::positive).value_or(1.0);
   if (reading.dim == 3 && fields.has("thickness"))
@@ -93,6 +89,12 @@ std::string bounds(const Shape& shape) {
 
 }  // namespace
 
+std::vector<std::string> body_names(const Scene& scene) {
+  std::vector<std::string> names;
+  for (const Body& body : scene.bodies) names.push_back(body.name);
+  return names;
+}
+
 void read_materials(Fields& root, Reading& reading) {
   for (auto& [name, fields] : root.named_tables("materials", Need::required, "at least one table such as [materials.steel]"))
     reading.scene.materials[name] = read_material(name, fields);
@@ -101,6 +103,9 @@ void read_materials(Fields& root, Reading& reading) {
 void read_bodies(Fields& root, Reading& reading) {
   for (auto& [name, fields] : root.named_tables("bodies", Need::required, "at least one table such as [bodies.beam]"))
     reading.scene.bodies.push_back(read_body(name, fields, reading));
+  const auto& all = reading.scene.bodies;
+  if (!all.empty() && std::all_of(all.begin(), all.end(), [](const Body& body) { return body.rigid; }))
+    root.fault("bodies", "every body is rigid; expected one at least that deforms");
 }
 
 std::optional<std::size_t> read_body_of(Fields& fields, const Reading& reading) {

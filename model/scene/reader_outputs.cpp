@@ -20,14 +20,10 @@ std::optional<Quantity> read_observed(Fields& fields) {
                                   {"equivalent_stress", Quantity::equivalent_stress}});
 }
 
-bool usable(const std::string& name) {
-  const auto allowed = [](unsigned char c) { return c < 0x80 && (std::isalnum(c) || c == '_' || c == '-'); };
-  return !name.empty() && name.size() <= 64 && std::all_of(name.begin(), name.end(), allowed);
-}
-
 bool taken(const std::string& name, const Scene& scene) {
   const auto same = [&](const auto& observer) { return observer.name == name; };
-  return std::any_of(scene.probes.begin(), scene.probes.end(), same) || std::any_of(scene.sections.begin(), scene.sections.end(), same);
+  return std::any_of(scene.probes.begin(), scene.probes.end(), same) || std::any_of(scene.sections.begin(), scene.sections.end(), same) ||
+         std::any_of(scene.bodies.begin(), scene.bodies.end(), [&](const Body& body) { return body.rigid && body.name == name; });
 }
 
 // Names become columns and files; probes and sections share one namespace.
@@ -35,10 +31,10 @@ std::string read_name(Fields& fields, const Scene& scene) {
   const std::string expected = "letters, digits, _ and - (at most 64: it names columns and files)";
   const auto name = fields.text("name", Need::required, expected);
   if (!name) return "";
-  if (!usable(*name))
+  if (!usable_name(*name))
     fields.fault("name", fmt::format("the name {} cannot be used; expected {}", in_quotes(*name), expected));
   else if (taken(*name, scene))
-    fields.fault("name", fmt::format("the name {} is taken; expected a name that no other probe or section has", in_quotes(*name)));
+    fields.fault("name", fmt::format("the name {} is taken; expected a name that no other probe, section or rigid body has", in_quotes(*name)));
   return *name;
 }
 
@@ -63,6 +59,11 @@ void check_line(const Fields& fields, const Section& section, const Reading& rea
 
 }  // namespace
 
+bool usable_name(const std::string& name) {
+  const auto allowed = [](unsigned char c) { return c < 0x80 && (std::isalnum(c) || c == '_' || c == '-'); };
+  return !name.empty() && name.size() <= 64 && std::all_of(name.begin(), name.end(), allowed);
+}
+
 void read_probes(Fields& root, Reading& reading) {
   for (Fields& fields : root.tables("probes")) {
     Probe probe;
@@ -71,6 +72,7 @@ void read_probes(Fields& root, Reading& reading) {
     const auto quantity = read_observed(fields);
     const auto point = fields.vector("point", Need::required, dimension::length, reading.dim);
     fields.done();
+    if (body) require_deformable(fields, "probe", *body, reading);
     if (body && point) require_inside(fields, "point", *point, *body, reading);
     probe.body = body.value_or(0);
     probe.quantity = quantity.value_or(probe.quantity);
@@ -93,6 +95,7 @@ void read_sections(Fields& root, Reading& reading) {
     section.quantity = quantity.value_or(section.quantity);
     section.from = from.value_or(Point{});
     section.to = to.value_or(Point{});
+    if (body) require_deformable(fields, "section", *body, reading);
     if (body && from && to) check_line(fields, section, reading);
     reading.scene.sections.push_back(section);
   }

@@ -60,14 +60,24 @@ std::optional<Place> read_place(Fields& fields, const Reading& reading) {
   const auto body = read_body_of(fields, reading);
   const bool both = fields.has("at") && fields.has("point");
   const bool by_point = fields.has("point");
-  const auto at = fields.text("at", by_point ? Need::optional : Need::required, expected);
+  const bool rigid = body && reading.scene.bodies[*body].rigid;
+  const auto at = fields.text("at", by_point || rigid ? Need::optional : Need::required, expected);
   const auto point = fields.vector("point", Need::optional, dimension::length, reading.dim);
+  const auto within = fields.corners("within", Need::optional, dimension::length, reading.dim);
   if (both) return fields.fault("point", "both \"at\" and \"point\" are given; expected one of them"), std::nullopt;
+  if (rigid) {
+    if (point || at.value_or(whole_body) != whole_body)
+      return fields.fault(by_point ? "point" : "at", fmt::format("part of body {}, which is rigid; expected \"all\", which stands for its centre",
+                                                                 in_quotes(reading.scene.bodies[*body].name))), std::nullopt;
+    return Place{*body, {}, {}, fields.source("body")};
+  }
   if (!body || (!at && !point)) return {};
 
   Place place;
   place.body = *body;
   place.point = point;
+  if (within) place.within = Region{within->first, within->second};
+  if (point && fields.has("within")) fields.fault("within", "\"within\" with \"point\"; expected it only with \"at\"");
   place.source = fields.source(by_point ? "point" : "at");
   const Shape* shape = reading.scene.bodies[*body].shape.get();
   if (!shape) return place;

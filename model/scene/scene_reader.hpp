@@ -24,14 +24,27 @@ void read_model(Fields& root, Reading& reading);
 void read_materials(Fields& root, Reading& reading);
 void read_bodies(Fields& root, Reading& reading);
 void read_supports(Fields& root, Reading& reading);
+void read_symmetries(Fields& root, Reading& reading);
+void read_bars(Fields& root, Reading& reading);
 void read_loads(Fields& root, Reading& reading);
 void read_initial_velocities(Fields& root, Reading& reading);
+void read_contacts(Fields& root, Reading& reading);
 void read_gravity(Fields& root, Reading& reading);
 void read_damping(Fields& root, Reading& reading);
 void read_probes(Fields& root, Reading& reading);
 void read_sections(Fields& root, Reading& reading);
 void read_time(Fields& root, Reading& reading);
 void read_settling(Fields& root, Reading& reading);
+
+/// What is left of [bodies.NAME] for a body that is rigid: its mass.
+void read_rigid_body(Fields& fields, Body& body, const Reading& reading);
+/// fix = ["x", "turn"] of a support of a rigid body.
+void read_rigid_support(Fields& fields, const Place& place, Reading& reading);
+/// Adds a fault if the body is rigid: it has no points of its own.
+void require_deformable(const Fields& fields, const char* what, std::size_t body, const Reading& reading);
+std::vector<std::string> body_names(const Scene& scene);
+/// Short, and made of letters, digits, _ and -: good for a column or a file.
+bool usable_name(const std::string& name);
 
 /// The body that a table names; the only body if it names none.
 std::optional<std::size_t> read_body_of(Fields& fields, const Reading& reading);

@@ -35,4 +35,18 @@ std::string Box::describe() const {
   return text + " mm";
 }
 
+Point Ball::lower() const { return {centre_[0] - radius_, centre_[1] - radius_, dim_ == 3 ? centre_[2] - radius_ : 0.0}; }
+Point Ball::upper() const { return {centre_[0] + radius_, centre_[1] + radius_, dim_ == 3 ? centre_[2] + radius_ : 0.0}; }
+
+bool Ball::contains(const Point& p, double tolerance) const {
+  return std::hypot(p[0] - centre_[0], p[1] - centre_[1], dim_ == 3 ? p[2] - centre_[2] : 0.0) <= radius_ + tolerance;
+}
+
+double Ball::measure() const {
+  const double disc = std::acos(-1.0) * radius_ * radius_;
+  return dim_ == 3 ? 4.0 / 3.0 * disc * radius_ : disc;
+}
+
+std::string Ball::describe() const { return fmt::format("{} of radius {:g} mm", dim_ == 3 ? "sphere" : "disc", 1e3 * radius_); }
+
 }  // namespace femsph

@@ -62,6 +62,25 @@ class Box final : public Shape {
   Point origin_, size_;
 };
 
+/// A disc or a sphere.
+class Ball final : public Shape {
+ public:
+  Ball(int dim, Point centre, double radius) : dim_(dim), centre_(centre), radius_(radius) {}
+  int dim() const override { return dim_; }
+  Point lower() const override;
+  Point upper() const override;
+  bool contains(const Point& p, double tolerance) const override;
+  double measure() const override;
+  std::string describe() const override;
+  const Point& centre() const { return centre_; }
+  double radius() const { return radius_; }
+
+ private:
+  int dim_;
+  Point centre_;
+  double radius_;
+};
+
 /// A body whose cells were made by Gmsh.
 class MeshShape final : public Shape {
  public:

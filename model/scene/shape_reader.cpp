@@ -15,6 +15,15 @@ ShapePointer read_box(Fields& body, int dim, const std::filesystem::path&) {
   return size && dim ? std::make_shared<Box>(dim, origin.value_or(Point{}), *size) : nullptr;
 }
 
+template <int ball_dim>
+ShapePointer read_ball(Fields& body, int dim, const std::filesystem::path&) {
+  const auto centre = body.vector("centre", Need::required, dimension::length, dim);
+  const auto radius = body.quantity("radius", Need::required, dimension::length, Sign::positive);
+  if (dim && dim != ball_dim)
+    return body.fault("shape", ball_dim == 2 ? "a disc in a three-dimensional scene; expected \"sphere\"" : "a sphere in a plane scene; expected \"disc\""), nullptr;
+  return centre && radius && dim ? std::make_shared<Ball>(dim, *centre, *radius) : nullptr;
+}
+
 std::optional<double> read_length_unit(Fields& body) {
   const std::string expected = "a unit of length, such as \"mm\"";
   const auto unit = body.text("unit", Need::required, expected);
@@ -42,7 +51,7 @@ ShapePointer read_mesh(Fields& body, int dim, const std::filesystem::path& folde
 using Reader = ShapePointer (*)(Fields&, int, const std::filesystem::path&);
 
 /// Every shape a scene can name.
-const std::vector<std::pair<std::string, Reader>> shapes = {{"box", read_box}, {"mesh", read_mesh}};
+const std::vector<std::pair<std::string, Reader>> shapes = {{"box", read_box}, {"disc", read_ball<2>}, {"sphere", read_ball<3>}, {"mesh", read_mesh}};
 
 }  // namespace
 

@@ -14,10 +14,12 @@ struct Dimension {
 
 namespace dimension {
 inline constexpr Dimension length{"m", "a length", "10 mm"};
+inline constexpr Dimension area{"m^2", "an area", "250 mm^2"};
 inline constexpr Dimension time{"s", "a time", "50 ms"};
 inline constexpr Dimension rate{"1/s", "a rate", "100 1/s"};
 inline constexpr Dimension velocity{"m/s", "a velocity", "1 m/s"};
 inline constexpr Dimension acceleration{"m/s^2", "an acceleration", "9.81 m/s^2"};
+inline constexpr Dimension mass{"kg", "a mass", "300 kg"};
 inline constexpr Dimension force{"N", "a force", "25 kN"};
 inline constexpr Dimension pressure{"Pa", "a pressure", "210 GPa"};
 inline constexpr Dimension density{"kg/m^3", "a density", "7850 kg/m^3"};

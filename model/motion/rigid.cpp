@@ -1,0 +1,148 @@
+#include "model/motion/rigid.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "model/motion/vectors.hpp"
+
+namespace femsph {
+
+RigidBody::RigidBody(const Scene& scene, std::size_t i)
+    : name(scene.bodies[i].name), index(i), dim(scene.dim()), shape(scene.bodies[i].shape), mass(scene.bodies[i].mass) {
+  const Point lower = shape->lower(), upper = shape->upper();
+  start = 0.5 * (lower + upper);
+  if (const auto* ball = dynamic_cast<const Ball*>(shape.get())) {
+    inertia.fill((dim == 2 ? 0.5 : 0.4) * mass * ball->radius() * ball->radius());
+  } else {
+    const Point s = upper - lower;
+    for (int a = 0; a < 3; ++a) inertia[a] = mass / 12 * (dot(s, s) - s[a] * s[a]);
+  }
+  if (dim == 2) held[2] = held_turn[0] = held_turn[1] = true;
+  for (const Support& support : scene.supports) {
+    if (support.place.body != index) continue;
+    for (int c = 0; c < 3; ++c) {
+      held[c] = held[c] || support.fixed[c];
+      held_turn[c] = held_turn[c] || support.fixed_turn[c];
+    }
+  }
+}
+
+Point RigidBody::rate_of(const Point& s) const {
+  Point w{};
+  for (int a = 0; a < 3; ++a)
+    if (inertia[a] > 0) w = w + (dot(axes[a], s) / inertia[a]) * axes[a];
+  for (int c = 0; c < 3; ++c)
+    if (held_turn[c]) w[c] = 0;
+  return w;
+}
+
+Point RigidBody::velocity_at(const Point& x) const { return velocity + cross(rate(), x - centre()); }
+
+void RigidBody::push(const Point& x, const Point& f) {
+  force = force + f;
+  moment = moment + cross(x - centre(), f);
+}
+
+double RigidBody::reach() const { return 0.5 * norm(shape->upper() - shape->lower()); }
+
+double RigidBody::surface() const {
+  const double pi = std::acos(-1.0);
+  if (const auto* ball = dynamic_cast<const Ball*>(shape.get())) return dim == 2 ? 2 * pi * ball->radius() : 4 * pi * ball->radius() * ball->radius();
+  const Point s = shape->upper() - shape->lower();
+  return dim == 2 ? 2 * (s[0] + s[1]) : 2 * (s[0] * s[1] + s[1] * s[2] + s[2] * s[0]);
+}
+
+double RigidBody::least_mass() const {
+  double inverse = held[0] && held[1] && held[2] ? 0.0 : 1 / mass;
+  double turning = 0;
+  for (int c = 0; c < 3; ++c)
+    if (!held_turn[c]) turning = std::max(turning, 1 / inertia[c]);
+  inverse += reach() * reach() * turning;
+  return inverse > 0 ? 1 / inverse : std::numeric_limits<double>::infinity();
+}
+
+int RigidBody::sides() const { return dynamic_cast<const Ball*>(shape.get()) ? 1 : 2 * dim; }
+
+Stand RigidBody::stand(int side, const Point& x) const {
+  Stand s;
+  const Point from = x - centre();
+  if (const auto* ball = dynamic_cast<const Ball*>(shape.get())) {
+    const double r = norm(from);
+    s.normal = r > 0 ? (1 / r) * from : Point{0, 1, 0};
+    s.gap = r - ball->radius();
+  } else {
+    const Point half = 0.5 * (shape->upper() - shape->lower());
+    const int a = side / 2;
+    const double sign = side % 2 ? 1 : -1;
+    s.normal = sign * axes[a];
+    s.gap = dot(s.normal, from) - half[a];
+    for (int b = 0; b < dim; ++b)
+      if (b != a) s.beyond = std::max(s.beyond, std::abs(dot(axes[b], from)) - half[b]);
+  }
+  s.foot = x - s.gap * s.normal;
+  return s;
+}
+
+void RigidBody::load(const Scene& scene, double t) {
+  force = moment = {};
+  if (scene.gravity) force = mass * *scene.gravity;
+  for (const Load& l : scene.loads)
+    if (l.place.body == index) force = force + l.history.at(t) * l.force;
+}
+
+void RigidBody::kick(double keep, double push) {
+  for (int c = 0; c < 3; ++c) {
+    velocity[c] = held[c] ? 0 : keep * velocity[c] + push * force[c] / mass;
+    spin[c] = held_turn[c] ? 0 : keep * spin[c] + push * moment[c];
+  }
+}
+
+void RigidBody::start_from(double keep, double push) {
+  for (int c = 0; c < 3; ++c) {
+    velocity[c] = held[c] ? 0 : (2 * velocity[c] - push * force[c] / mass) / (1 + keep);
+    spin[c] = held_turn[c] ? 0 : (2 * spin[c] - push * moment[c]) / (1 + keep);
+  }
+}
+
+Point RigidBody::velocity_now(double dt) const {
+  Point v = velocity;
+  for (int c = 0; c < 3; ++c)
+    if (!held[c]) v[c] += 0.5 * dt * force[c] / mass;
+  return v;
+}
+
+namespace {
+
+/// Rodrigues: x turned about w by |w| rad.
+Point turned(const Point& x, const Point& w) {
+  const double angle = norm(w);
+  if (angle == 0) return x;
+  const Point n = (1 / angle) * w;
+  return std::cos(angle) * x + std::sin(angle) * cross(n, x) + ((1 - std::cos(angle)) * dot(n, x)) * n;
+}
+
+}  // namespace
+
+void RigidBody::drift(double dt) {
+  moved = moved + dt * velocity;
+  if (dot(spin, spin) == 0) return;
+  // The inertia in space turns with the body: the rate that belongs to the spin is taken at the middle of the step.
+  const std::array<Point, 3> before = axes;
+  const Point first = rate();
+  for (Point& axis : axes) axis = turned(axis, 0.5 * dt * first);
+  const Point middle = rate();
+  for (int a = 0; a < 3; ++a) axes[a] = turned(before[a], dt * middle);
+  angle += dt * middle[2];
+}
+
+double RigidBody::product(double keep, double push, double before, double after) const {
+  Point v{}, s{};
+  for (int c = 0; c < 3; ++c) {
+    v[c] = held[c] ? 0 : before * velocity[c] + after * (keep * velocity[c] + push * force[c] / mass);
+    s[c] = held_turn[c] ? 0 : before * spin[c] + after * (keep * spin[c] + push * moment[c]);
+  }
+  return mass * dot(velocity, v) + dot(rate(), s);
+}
+
+}  // namespace femsph

@@ -1,0 +1,88 @@
+// What a scene file says about rigid bodies and contacts.
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "model/scene/reader.hpp"
+
+namespace femsph {
+namespace {
+
+using testing::HasSubstr;
+
+std::string scene_text(const std::string& rest, const std::string& weight = "mass = \"300 kg\"\n") {
+  return R"([model]
+plane = "stress"
+[materials.steel]
+law = "elastic"
+young = "210 GPa"
+poisson = 0.3
+density = "7850 kg/m^3"
+[bodies.weight]
+shape = "disc"
+rigid = true
+centre = ["0 mm", "200 mm"]
+radius = "100 mm"
+)" + weight + R"([bodies.beam]
+shape = "box"
+size = ["1 m", "100 mm"]
+thickness = "100 mm"
+material = "steel"
+[time]
+duration = "1 ms"
+)" + rest;
+}
+
+std::string message_of(const std::string& text) {
+  try {
+    parse_scene(text, "scene.toml");
+  } catch (const InputError& e) {
+    return e.what();
+  }
+  return "";
+}
+
+TEST(ContactReader, ReadsRigidBodiesAndContacts) {
+  const Scene s = parse_scene(scene_text(R"([[contacts]]
+between = ["weight", "beam"]
+friction = 0.3
+[[supports]]
+body = "weight"
+fix = ["x", "turn"]
+[[loads]]
+body = "weight"
+force = ["0 N", "-5 N"]
+)"), "scene.toml");
+  EXPECT_TRUE(s.bodies[0].rigid);
+  EXPECT_EQ(s.bodies[0].mass, 300);
+  EXPECT_FALSE(s.bodies[1].rigid);
+  ASSERT_EQ(s.contacts.size(), 1u);
+  EXPECT_EQ(s.contacts[0].name, "weight-beam");
+  EXPECT_EQ(s.contacts[0].stiffness, 1);
+  EXPECT_EQ(s.contacts[0].friction, 0.3);
+  EXPECT_EQ(s.supports[0].fixed, (std::array{true, false, false}));
+  EXPECT_EQ(s.supports[0].fixed_turn, (std::array{false, false, true}));
+  EXPECT_EQ(s.loads[0].place.body, 0u);
+  EXPECT_THAT(s.effects(), testing::IsSupersetOf({"rigid bodies", "contact", "friction"}));
+}
+
+// 1000 kg/m^3 x pi 0.1^2 x 0.5 m = 15.708 kg.
+TEST(ContactReader, TakesADensityInsteadOfAMass) {
+  const Scene s = parse_scene(scene_text("", "density = \"1000 kg/m^3\"\nthickness = \"500 mm\"\n"), "scene.toml");
+  EXPECT_NEAR(s.bodies[0].mass, 15.708, 1e-3);
+}
+
+TEST(ContactReader, ExplainsWhatIsWrong) {
+  EXPECT_THAT(message_of(scene_text("[[contacts]]\nbetween = [\"weight\", \"beem\"]\n")), HasSubstr("unknown body \"beem\"; expected \"weight\" or \"beam\"; did you mean \"beam\"?"));
+  EXPECT_THAT(message_of(scene_text("[[contacts]]\nbetween = [\"beam\"]\n")), HasSubstr("\"between\" does not name two bodies"));
+  EXPECT_THAT(message_of(scene_text("[[contacts]]\nbetween = [\"weight\", \"beam\"]\nstiffness = 0.0\n")), HasSubstr("\"stiffness\" is 0"));
+  EXPECT_THAT(message_of(scene_text("[[contacts]]\nbetween = [\"weight\", \"beam\"]\n[[contacts]]\nbetween = [\"weight\", \"beam\"]\n")), HasSubstr("is taken"));
+  EXPECT_THAT(message_of(scene_text("[[supports]]\nbody = \"weight\"\nat = \"x-\"\nfix = [\"x\"]\n")), HasSubstr("part of body \"weight\", which is rigid"));
+  EXPECT_THAT(message_of(scene_text("[[supports]]\nbody = \"weight\"\nfix = [\"z\"]\n")), HasSubstr("unknown component \"z\"; expected \"x\", \"y\" or \"turn\""));
+  EXPECT_THAT(message_of(scene_text("[[probes]]\nname = \"p\"\nbody = \"weight\"\nquantity = \"velocity\"\npoint = [\"0 mm\", \"200 mm\"]\n")), HasSubstr("weight_vx"));
+  EXPECT_THAT(message_of(scene_text("", "")), HasSubstr("missing \"mass\""));
+  EXPECT_THAT(message_of(scene_text("", "mass = \"1 kg\"\nmaterial = \"steel\"\n")), HasSubstr("unknown key \"material\""));
+}
+
+}  // namespace
+}  // namespace femsph
