@@ -2,7 +2,7 @@ load style
 cases = "return no-return-1 no-return-3 no-return-8"
 set xlabel "strain along the bar, %"
 set ylabel "stress along the bar, MPa"
-do for [m in "fem-full sph-corrected sph-classic-full"] {
+do for [m in "fem-one-point sph-corrected sph-classic-full"] {
   set output figure("fig23-".m)
   set title m." at dt = 0.1 {/Symbol m}s"
   if (has("fig23-".m)) {
