@@ -100,6 +100,31 @@ LoadedBox cantilever_of(const Scene& scene) {
   return box;
 }
 
+double Impact::stress() const {
+  const double c = std::sqrt(young / density), limit = yield / (density * c);
+  return speed < limit ? density * c * speed : yield + std::sqrt(tangent * density) * (speed - limit);
+}
+
+double Impact::strain() const {
+  const double c = std::sqrt(young / density), limit = yield / (density * c);
+  return speed < limit ? speed / c : yield / young + (speed - limit) / std::sqrt(tangent / density);
+}
+
+Impact impact_of(const Scene& scene) {
+  const Material& m = scene.material_of(scene.bodies[0]);
+  if (scene.initial_velocities.empty() || !m.plasticity) refuse("impact", "it needs a plastic material and an initial velocity");
+  const double H = m.plasticity->hardening;
+  return {-scene.initial_velocities[0].velocity[0], m.young, m.density, m.plasticity->yield, m.young * H / (m.young + H)};
+}
+
+double plastic_moment(const Scene& scene) {
+  const Body& body = scene.bodies[0];
+  const Material& m = scene.material_of(body);
+  if (!m.plasticity) refuse("plastic moment", "its material is elastic");
+  const Point a = body.shape->lower(), b = body.shape->upper();
+  return m.plasticity->yield * (scene.dim() == 2 ? body.thickness : b[2] - a[2]) * (b[1] - a[1]) * (b[1] - a[1]) / 4;
+}
+
 double bar_wave_speed(const LoadedBox& bar) { return std::sqrt(bar.young / bar.density); }
 
 double bar_displacement(const LoadedBox& bar, double x) { return bar.force[0] * x / (bar.young * bar.area()); }

@@ -24,6 +24,20 @@ struct LoadedBox {
 LoadedBox bar_of(const Scene& scene);
 LoadedBox cantilever_of(const Scene& scene);
 
+/// A bar of bilinear plastic material that flies along x onto a held end x-: what von Karman and Duwez's theory of one-dimensional
+/// elastic-plastic waves says of the plateau behind the plastic front.
+struct Impact {
+  double speed;                  ///< m/s, towards the held end > 0
+  double young, density, yield;  ///< Pa, kg/m^3, Pa
+  double tangent;                ///< Et = E H/(E + H), Pa
+  double stress() const;         ///< rho c V below V_y = yield/(rho c), else yield + rho c_p (V - V_y), c_p = sqrt(Et/rho); Pa, > 0
+  double strain() const;         ///< V/c below V_y, else yield/E + (V - V_y)/c_p; > 0
+};
+/// Throws std::runtime_error with one sentence if the scene is not of that kind.
+Impact impact_of(const Scene& scene);
+/// Moment that a rectangle carries when all of it yields, sigma_y b h^2/4, N m: of the scene's box and its material.
+double plastic_moment(const Scene& scene);
+
 // Bar: one-dimensional waves of speed c = sqrt(E/rho), e.g. Timoshenko and Goodier, Theory of Elasticity, ch. 15.
 
 double bar_wave_speed(const LoadedBox& bar);

@@ -43,6 +43,8 @@ std::string effects_off(const Scene& scene) {
     if (!on) text += (text.empty() ? "" : ", ") + std::string(name);
   };
   off(scene.large_motion, "finite rotation");
+  off(!scene.symmetries.empty(), "symmetry");
+  off(!scene.bars.empty(), "bars");
   off(scene.is_plastic(), "plasticity");
   off(!scene.initial_velocities.empty(), "initial velocity");
   off(!scene.contacts.empty(), "contact");

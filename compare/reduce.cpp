@@ -13,7 +13,9 @@
 namespace femsph::compare {
 namespace {
 
-bool of_section(Reduce reduce) { return reduce == Reduce::fibre_upper || reduce == Reduce::fibre_lower || reduce == Reduce::l2; }
+bool of_section(Reduce reduce) {
+  return reduce == Reduce::fibre_upper || reduce == Reduce::fibre_lower || reduce == Reduce::l2 || reduce == Reduce::moment;
+}
 
 std::size_t component_index(const std::string& component) {
   static const std::vector<std::string> vector = {"x", "y", "z"}, tensor = {"xx", "yy", "zz", "xy", "yz", "zx"};
@@ -33,6 +35,37 @@ double mean(const Curve& curve) {
   for (std::size_t i = 1; i < curve.at.size(); ++i) integral += (curve.at[i] - curve.at[i - 1]) * (curve.value[i] + curve.value[i - 1]) / 2;
   const double span = curve.at.back() - curve.at.front();
   return span > 0 ? integral / span : curve.value.back();
+}
+
+/// Integral of sigma_xx (y - y0) over the section's area, trapezoid along its line; the body's thickness across it.
+double moment(const Curve& curve, const Scene& scene) {
+  const double middle = 0.5 * (curve.at.front() + curve.at.back());
+  double sum = 0;
+  for (std::size_t i = 1; i < curve.at.size(); ++i)
+    sum += 0.5 * (curve.at[i] - curve.at[i - 1]) * (curve.value[i] * (curve.at[i] - middle) + curve.value[i - 1] * (curve.at[i - 1] - middle));
+  return sum * (scene.dim() == 2 ? scene.bodies[0].thickness : scene.bodies[0].shape->upper()[2] - scene.bodies[0].shape->lower()[2]);
+}
+
+Curve within(const Curve& curve, const std::optional<std::array<double, 2>>& window) {
+  if (!window) return curve;
+  Curve part;
+  for (std::size_t i = 0; i < curve.at.size(); ++i)
+    if (curve.at[i] >= (*window)[0] && curve.at[i] <= (*window)[1]) part.at.push_back(curve.at[i]), part.value.push_back(curve.value[i]);
+  if (part.at.empty()) throw std::runtime_error("the history has no sample in the window");
+  return part;
+}
+
+/// How far the equivalent stress rises above yield + H p, as a share of the yield stress.
+double excess(const QuantitySpec& quantity, const RunResult& result, const Scene& scene) {
+  const Material& m = scene.material_of(scene.bodies[0]);
+  if (!m.plasticity) throw std::runtime_error("an elastic material has no yield curve");
+  Observed stress = quantity.observed;
+  stress.unit.factor = 1;
+  const Curve q = curve_of(stress, result), p = curve_of(quantity.along, result);
+  double most = -m.plasticity->yield;
+  for (std::size_t i = 0; i < q.value.size(); ++i)
+    most = std::max(most, q.value[i] - (m.plasticity->yield + m.plasticity->hardening * p.value[i] * quantity.along.unit.factor));
+  return most / m.plasticity->yield;
 }
 
 double reduce_history(const Curve& curve, Reduce reduce) {
@@ -156,12 +189,15 @@ Point section_point(const Section& section, double distance) {
 }
 
 Reduced reduce(const QuantitySpec& quantity, const RunResult& result, const Scene& scene, const fem::StaticLimit* limit) {
+  if (quantity.reduce == Reduce::excess) return {excess(quantity, result, scene) / quantity.observed.unit.factor, {}, {}, {}, {}};
   if (quantity.reduce == Reduce::l2) return reduce_l2(quantity, result, scene, limit);
   Observed observed = quantity.observed;
-  if (quantity.reduce == Reduce::frequency) observed.unit.factor = 1;  // the unit is that of the frequency
-  const Curve curve = curve_of(observed, result);
+  if (quantity.reduce == Reduce::frequency || quantity.reduce == Reduce::moment) observed.unit.factor = 1;  // the unit is that of the result
+  const Curve curve = within(curve_of(observed, result), quantity.window);
   double value;
-  if (of_section(quantity.reduce))
+  if (quantity.reduce == Reduce::moment)
+    value = moment(curve, scene) / quantity.observed.unit.factor;
+  else if (of_section(quantity.reduce))
     value = curve.value[fibre(section_named(scene, observed.section), curve.value.size(), quantity.reduce)];
   else
     value = reduce_history(curve, quantity.reduce);

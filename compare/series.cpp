@@ -120,9 +120,26 @@ std::string curves_csv(const SeriesSpec& series, const Study& study, const Study
   return wide_csv(history ? "time_" + series.time_unit.name : "distance_mm", as_text(x), curves);
 }
 
+// One quantity over another, sample by sample: two columns a run.
+std::string path_csv(const SeriesSpec& series, const StudyOutcome& outcome) {
+  std::vector<NamedCurve> columns;
+  std::size_t rows = 0;
+  for (const FinishedRun* run : shown_runs(series, outcome)) {
+    const std::string name = curve_name(series, *run->plan);
+    columns.push_back({name + " along", curve_of(series.along, run->result).value});
+    columns.push_back({name, curve_of(series.observed, run->result).value});
+    rows = std::max(rows, columns.back().values.size());
+  }
+  std::vector<std::string> number;
+  for (std::size_t i = 0; i < rows; ++i) number.push_back(fmt::format("{}", i));
+  for (NamedCurve& c : columns) c.values.resize(rows, std::nan(""));
+  return wide_csv("sample", number, columns);
+}
+
 }  // namespace
 
 std::string series_csv(const SeriesSpec& series, const Study& study, const StudyOutcome& outcome) {
+  if (series.kind == SeriesSpec::Kind::path) return path_csv(series, outcome);
   const bool curves = series.kind == SeriesSpec::Kind::history || series.kind == SeriesSpec::Kind::profile;
   return curves ? curves_csv(series, study, outcome) : error_csv(series, outcome);
 }

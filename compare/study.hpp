@@ -37,7 +37,8 @@ struct Observed {
   Unit unit;
 };
 
-enum class Reduce { final, max, min, peak, mean, frequency, fibre_upper, fibre_lower, l2 };
+/// `excess`: largest amount by which an equivalent stress lies above its yield curve, yield + H p, over the yield stress; `moment`: of a section's axial stress about its middle, integral sigma_xx (y - y0) dA.
+enum class Reduce { final, max, min, peak, mean, frequency, fibre_upper, fibre_lower, l2, moment, excess };
 enum class SignRule { as_is, reversed, magnitude };
 
 /// A number to take from every run.
@@ -45,6 +46,8 @@ struct QuantitySpec {
   std::string name;
   Observed observed;
   Reduce reduce = Reduce::final;
+  Observed along;                                ///< excess: the equivalent plastic strain p
+  std::optional<std::array<double, 2>> window;  ///< s: the part of a history that `reduce` looks at
   SignRule sign = SignRule::as_is;    ///< how value, theory and limit are shown
   std::optional<std::string> theory;  ///< name of a theory value
   std::optional<std::string> scene;   ///< only of runs of that scene
@@ -60,12 +63,13 @@ struct PaperNumber {
 
 /// A data file for figures.
 struct SeriesSpec {
-  enum class Kind { error, cases, history, profile } kind = Kind::error;
+  enum class Kind { error, cases, history, profile, path } kind = Kind::error;
   std::string file;
   std::string quantity;                     ///< error, cases
   Reference reference = Reference::theory;  ///< error, cases
   Observed observed;                        ///< history, profile
   Unit time_unit{"ms", 1e-3};               ///< history
+  Observed along;                             ///< path: what the abscissa is
   std::optional<std::string> theory;        ///< history, profile: a column of theory
   std::vector<std::string> cases, methods;  ///< empty: all
   std::optional<std::string> scene;         ///< whose theory; default: the first run's

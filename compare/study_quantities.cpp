@@ -20,13 +20,17 @@ const std::vector<std::pair<std::string, Reduce>> reductions = {{"final", Reduce
                                                                 {"frequency", Reduce::frequency},
                                                                 {"fibre_upper", Reduce::fibre_upper},
                                                                 {"fibre_lower", Reduce::fibre_lower},
-                                                                {"l2", Reduce::l2}};
+                                                                {"l2", Reduce::l2},
+                                                                {"moment", Reduce::moment},
+                                                                {"excess", Reduce::excess}};
 const std::vector<std::pair<std::string, SignRule>> signs = {
     {"as-is", SignRule::as_is}, {"reversed", SignRule::reversed}, {"magnitude", SignRule::magnitude}};
 const std::vector<std::string> energies = {"kinetic_energy", "strain_energy", "hourglass_energy", "external_work", "damping_loss", "viscosity_loss", "plastic_work"};
 const std::vector<std::string> scalars = {"surface_weight_loss"};
 
-bool of_section(Reduce reduce) { return reduce == Reduce::fibre_upper || reduce == Reduce::fibre_lower || reduce == Reduce::l2; }
+bool of_section(Reduce reduce) {
+  return reduce == Reduce::fibre_upper || reduce == Reduce::fibre_lower || reduce == Reduce::l2 || reduce == Reduce::moment;
+}
 
 const char* si_unit(Quantity quantity) {
   switch (quantity) {
@@ -152,16 +156,25 @@ void one_quantity(Fields& fields, StudyReading& reading) {
   quantity.scene = read_scene_name(fields, reading.study);
   const auto reduce = fields.choice<Reduce>("reduce", Need::optional, reductions);
   quantity.reduce = reduce.value_or(Reduce::final);
-  const std::string si = quantity.reduce == Reduce::frequency ? "Hz" : quantity.reduce == Reduce::l2 ? "1" : "";
+  const std::string si = quantity.reduce == Reduce::frequency ? "Hz" : quantity.reduce == Reduce::l2 ? "1" : quantity.reduce == Reduce::moment ? "N m" : "";
   quantity.observed = read_observed(fields, quantity.scene, si, reading.study);
   if (quantity.reduce == Reduce::l2) quantity.observed.unit = {"%", 1};
+  if (quantity.reduce == Reduce::excess) {
+    quantity.observed.unit = {"%", 0.01};
+    auto along = fields.table("along", Need::required, "a table such as {probe = \"plastic\", component = \"equivalent\"}");
+    if (along) quantity.along = read_observed(*along, quantity.scene, "", reading.study), along->done();
+  }
   quantity.sign = fields.choice<SignRule>("sign", Need::optional, signs).value_or(SignRule::as_is);
   quantity.theory = read_theory(fields, quantity.scene, reading.study);
+  if (const auto window = fields.quantities("window", Need::optional, dimension::time)) {
+    if (window->size() == 2 && (*window)[0] < (*window)[1]) quantity.window = {(*window)[0], (*window)[1]};
+    else fields.fault("window", "\"window\" is no interval; expected two times, such as [\"10 us\", \"20 us\"]");
+  }
   fields.done();
   if (quantity.observed.section.empty() == of_section(quantity.reduce))
     fields.fault(
         "reduce",
-        "\"reduce\" does not fit; expected fibre_upper, fibre_lower or l2 for a section, and one of the others for a probe or an energy");
+        "\"reduce\" does not fit; expected fibre_upper, fibre_lower, l2 or moment for a section, and one of the others for a probe or an energy");
   if (quantity.theory && theory_named(*quantity.theory).on_time())
     fields.fault("theory", "a theory that depends on time; expected one value (a history goes into [[series]])");
   if (quantity.reduce == Reduce::l2 && !quantity.theory && !reading.study.limit)
@@ -186,7 +199,7 @@ void one_series(Fields& fields, StudyReading& reading) {
   series.file = read_file_name(fields);
   series.kind = fields
                     .choice<Kind>("kind", Need::required,
-                                  {{"error", Kind::error}, {"cases", Kind::cases}, {"history", Kind::history}, {"profile", Kind::profile}})
+                                  {{"error", Kind::error}, {"cases", Kind::cases}, {"history", Kind::history}, {"profile", Kind::profile}, {"path", Kind::path}})
                     .value_or(Kind::error);
   series.cases = read_names(fields, "cases", case_names(study), "case");
   series.methods = read_names(fields, "methods", method_labels(study), "method");
@@ -201,6 +214,10 @@ void one_series(Fields& fields, StudyReading& reading) {
   } else {
     series.scene = read_scene_name(fields, study);
     series.observed = read_observed(fields, series.scene, "", study);
+    if (series.kind == Kind::path) {
+      auto along = fields.table("along", Need::required, "a table such as {probe = \"strain\", component = \"xx\"}");
+      if (along) series.along = read_observed(*along, series.scene, "", study), along->done();
+    }
     series.theory = read_theory(fields, series.scene, study);
     if (series.kind == Kind::history)
       series.time_unit = read_unit(fields, "time_unit", fields.text("time_unit", Need::optional).value_or("ms"), "s");

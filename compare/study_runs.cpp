@@ -70,6 +70,7 @@ void one_block(Fields& fields, StudyReading& reading, int ladder) {
   const auto resolutions = read_resolutions(fields, scene ? scene->dim() : 2);
   const auto cases = read_cases(fields, resolutions);
   const auto quick = read_names(fields, "quick", cases, "case");
+  const auto step = fields.quantity("step", Need::optional, dimension::time, Sign::positive);
   const auto label = fields.text("label", Need::optional, "a name for the method in tables");
   const auto safety = fields.number("safety", Need::optional, "a number above 0: the step over the critical step");
   if (safety && *safety <= 0)
@@ -84,6 +85,7 @@ void one_block(Fields& fields, StudyReading& reading, int ladder) {
       PlannedRun run{cases[i], label.value_or(method.name + overrides.describe()), method, resolutions[i], file, {}, false, ladder};
       overrides.apply(run.method);
       if (safety) run.march.safety = *safety;
+      run.march.step = step;
       run.quick = std::find(quick.begin(), quick.end(), cases[i]) != quick.end();
       reading.study.runs.push_back(run);
     }

@@ -73,6 +73,12 @@ ExplicitFem::ExplicitFem(const Scene& scene, std::size_t body, const Options& op
   const Material& material = scene.material_of(scene.bodies[body]);
   const Law law = material.law(scene.plane);
   mass_ = lumped_mass(mesh_, material.density, thickness_);
+  std::vector<Point> nodes(mesh_.node_count());
+  for (std::size_t i = 0; i < nodes.size(); ++i) nodes[i] = mesh_.node(i);
+  const std::vector<BarRow> rows = bar_rows(scene, body, nodes, 1e-6 * spacing_);
+  bars_ = TrussBars(rows, nodes, mesh_.dim, scene.large_motion);
+  bars_.add_mass(mass_);
+  bars_text_ = femsph::describe(rows, scene);
   plastic_ = material.plasticity.has_value();
   wave_speed_ = std::visit([](const auto& l) { return l.wave_speed(); }, law);
   loop_ = make_loop(element_, {&mesh_, &batches_, law, thickness_, options.hourglass, scene.large_motion, options.scalar_kernel});
@@ -80,24 +86,26 @@ ExplicitFem::ExplicitFem(const Scene& scene, std::size_t body, const Options& op
 
 std::string ExplicitFem::describe() const {
   return "explicit FEM, " + std::to_string(mesh_.cell_count()) + (mesh_.dim == 2 ? " quadrilaterals, " : " hexahedra, ") +
-         name_of(element_);
+         name_of(element_) + bars_text_;
 }
 
 std::size_t ExplicitFem::bytes() const {
   return sizeof(double) * (mesh_.nodes.capacity() + mass_.capacity()) + sizeof(int) * (mesh_.cells.capacity() + mesh_.vertex.capacity()) +
-         batches_.bytes() + locator_.bytes() + loop_->bytes();
+         batches_.bytes() + locator_.bytes() + loop_->bytes() + bars_.bytes();
 }
 
 void ExplicitFem::internal_force(const double* u, const double*, double, double* f, double*) {
   std::fill(f, f + layout_.size, 0.0);
   loop_->add_force(u, f);
   batches_.sum_ghosts(f, mesh_.dim);
+  bars_.add_force(u, f);
 }
 
 void ExplicitFem::stiffness(const double* x, double* y) const {
   std::fill(y, y + layout_.size, 0.0);
   loop_->add_stiffness(x, y);
   batches_.sum_ghosts(y, mesh_.dim);
+  bars_.add_stiffness(x, y);
 }
 
 std::vector<Weight> ExplicitFem::points_of(const Place& place) const {

@@ -9,6 +9,7 @@
 #include "fem/fem.hpp"
 #include "fem/locator.hpp"
 #include "fem/mesh.hpp"
+#include "fem/truss_bars.hpp"
 
 namespace femsph::fem {
 
@@ -28,8 +29,9 @@ class ExplicitFem : public Discretization {
 
   void internal_force(const double* u, const double* v, double dt, double* f, double* viscous) override;
   void stiffness(const double* x, double* y) const override;
-  double strain_energy(const double* u) const override { return loop_->energies(u).strain; }
-  double dissipated_energy(const double* u) const override { return plastic_ ? loop_->energies(u).plastic : 0.0; }
+  double strain_energy(const double* u) const override { return loop_->energies(u).strain + bars_.strain_energy(u); }
+  std::vector<BarPiece> bars(const double* u) const override { return bars_.pieces(u); }
+  double dissipated_energy(const double* u) const override { return bars_.dissipated_energy() + (plastic_ ? loop_->energies(u).plastic : 0.0); }
   double hourglass_energy(const double* u) const override { return element_ == Element::one_point ? loop_->energies(u).hourglass : 0.0; }
 
   std::vector<Weight> points_of(const Place& place) const override;
@@ -58,6 +60,8 @@ class ExplicitFem : public Discretization {
   Locator locator_;
   bool plastic_;  ///< the law has plastic strain and work
   std::unique_ptr<CellLoop> loop_;
+  TrussBars bars_;
+  std::string bars_text_;
 };
 
 }  // namespace femsph::fem

@@ -154,11 +154,17 @@ std::vector<Weight> place_weights(const Mesh& mesh, const Shape& shape, const Pl
       if (distance(mesh.node(i), *place.point) < distance(mesh.node(nearest), *place.point)) nearest = i;
     return {{nearest, 1.0}};
   }
-  if (place.sides.empty()) return normalised({mass.begin(), mass.end()});
+  const auto within = [&](std::size_t i) { return !place.within || place.within->contains(mesh.node(i), tolerance); };
+  if (place.sides.empty()) {
+    std::vector<double> share(mass.begin(), mass.end());
+    for (std::size_t i = 0; i < share.size(); ++i)
+      if (!within(i)) share[i] = 0;
+    return normalised(share);
+  }
 
   std::vector<char> marked(mesh.node_count());
   for (std::size_t i = 0; i < mesh.node_count(); ++i)
-    marked[i] = std::all_of(place.sides.begin(), place.sides.end(),
+    marked[i] = within(i) && std::all_of(place.sides.begin(), place.sides.end(),
                             [&](const std::string& side) { return shape.on_side(side, mesh.node(i), tolerance); });
   const int dimension = mesh.dim - static_cast<int>(place.sides.size());
   std::vector<double> share(mesh.node_count(), 0.0);

@@ -83,6 +83,7 @@ class StaticSolver {
     return r;
   }
   bool on(const Place& place, const dealii::Point<dim>& p) const {
+    if (place.within && !place.within->contains(to_point(p), tolerance_)) return false;
     return std::all_of(place.sides.begin(), place.sides.end(),
                        [&](const std::string& side) { return body_.shape->on_side(side, to_point(p), tolerance_); });
   }
@@ -103,7 +104,7 @@ class StaticSolver {
   }
 
   void constrain() {
-    for (const Support& support : scene_.supports) {
+    for (const Support& support : scene_.holds()) {
       const auto fix = [&](dealii::types::global_dof_index i) {
         if (support.fixed[component_[i]]) constraints_.add_line(i);
       };
@@ -303,6 +304,8 @@ class StaticSolver {
 StaticLimit static_limit(const Scene& scene, const std::array<int, 3>& divisions, int degree) {
   if (scene.bodies.size() != 1)
     throw std::runtime_error("the static limit wants one body, and the scene has " + std::to_string(scene.bodies.size()));
+  if (!scene.bars.empty() || std::any_of(scene.supports.begin(), scene.supports.end(), [](const Support& s) { return s.mean; }))
+    throw std::runtime_error("the static limit knows neither bars nor supports with mode = \"mean\"");
   if (degree < 1) throw std::runtime_error("the static limit wants a polynomial degree of at least 1");
   return scene.dim() == 2 ? StaticSolver<2>(scene, divisions, degree).solve() : StaticSolver<3>(scene, divisions, degree).solve();
 }

@@ -2,6 +2,7 @@
 
 #include "sph/rows.hpp"
 
+#include <algorithm>
 #include <stdexcept>
 
 namespace femsph::sph {
@@ -17,8 +18,15 @@ std::unique_ptr<Discretization> discretize(const Scene& scene, std::size_t body,
     throw std::runtime_error("virtual particles mirror a lattice in the straight sides of a box; this body is none");
   if (classic && scene.large_motion && options.boundary != Boundary::none)
     throw std::runtime_error("virtual particles and boundary weights stand on initial neighbours; a scene with large motion cannot use them");
-  Particles particles = fill(shape, options);
+  const std::vector<MirrorPlane> planes = mirror_planes(scene, body);
+  if (options.boundary == Boundary::virtual_particles && !planes.empty())
+    throw std::runtime_error("virtual particles mirror every side of a box; a body with symmetry planes cannot use them");
+  const bool has_bars = std::any_of(scene.bars.begin(), scene.bars.end(), [&](const Bar& bar) { return bar.body == body; });
+  if (classic && scene.large_motion && (has_bars || !planes.empty()))
+    throw std::runtime_error("symmetry planes and bars stand on initial neighbours; classic SPH with large motion cannot use them");
+  Particles particles = fill(shape, options, planes);
   const Kernel kernel(options.kernel, shape.dim(), options.smoothing * particles.spacing);
+  add_mirrored(particles, planes, kernel.radius());
   if (classic && scene.large_motion) return updated_lagrangian(scene, body, options, std::move(particles), kernel);
   return shape.dim() == 2 ? total_lagrangian<2>(scene, body, options, std::move(particles), kernel)
                           : total_lagrangian<3>(scene, body, options, std::move(particles), kernel);

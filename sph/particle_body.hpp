@@ -4,8 +4,10 @@
 #include <string>
 
 #include "model/motion/discretization.hpp"
+#include "model/numerics/array.hpp"
 #include "sph/kernel.hpp"
 #include "sph/particles.hpp"
+#include "sph/smeared_bars.hpp"
 
 namespace femsph::sph {
 
@@ -30,20 +32,29 @@ class ParticleBody : public Discretization {
   std::vector<Weight> material_interpolation(const Point& p) const override { return interpolation(p); }
   std::size_t material_points() const override { return particles_.size(); }
   Point material_position(std::size_t point) const override { return particles_.position[point]; }
-  double material_volume(std::size_t point) const override { return particles_.volume[point] * thickness_; }
+  double material_volume(std::size_t point) const override { return particles_.own_volume(point) * thickness_; }
   Topology topology() const override;
   /// The sides of the lattice's cells between particles that belong to one cell: particles sit on the surface, and so do they.
   std::vector<Facet> boundary() const override;
 
  protected:
+  /// The flat vector u with the mirrored particles filled in: u itself in a body without symmetry planes. Valid until the next call.
+  const double* with_mirrored(const double* u) const {
+    return particles_.mirrored.empty() ? u : fill_mirrored(u);
+  }
   Options options_;
   Particles particles_;
   std::shared_ptr<const Shape> shape_;
   double thickness_, density_, wave_speed_;
   Layout layout_;
+  SmearedBars bars_;
 
  private:
+  const double* fill_mirrored(const double* u) const;
+  double share_within(const Region& region, std::size_t i) const;
   std::vector<double> mass_;
+  mutable AlignedVector<double> mirrored_;
+  std::string bars_text_;
 };
 
 }  // namespace femsph::sph

@@ -12,14 +12,16 @@ namespace femsph::sph {
 namespace {
 
 /// Share of the lattice cell around p that lies in the shape: half on a face, a quarter on an edge of a box.
-double fraction_inside(const Shape& shape, const Point& p, const Point& spacing) {
+double fraction_inside(const Shape& shape, const Point& p, const Point& spacing, const std::vector<MirrorPlane>& planes) {
   const int dim = shape.dim(), cuts = 8;
   int inside = 0, all = 0;
   for (int k = 0; k < (dim == 3 ? cuts : 1); ++k)
     for (int j = 0; j < cuts; ++j)
       for (int i = 0; i < cuts; ++i) {
-        const Point s{p[0] + ((i + 0.5) / cuts - 0.5) * spacing[0], p[1] + ((j + 0.5) / cuts - 0.5) * spacing[1],
+        Point s{p[0] + ((i + 0.5) / cuts - 0.5) * spacing[0], p[1] + ((j + 0.5) / cuts - 0.5) * spacing[1],
                       dim == 3 ? p[2] + ((k + 0.5) / cuts - 0.5) * spacing[2] : 0.0};
+        for (const MirrorPlane& m : planes)
+          if (m.upper ? s[m.axis] > m.at : s[m.axis] < m.at) s[m.axis] = 2 * m.at - s[m.axis];
         inside += shape.contains(s, 0.0);
         ++all;
       }
@@ -35,17 +37,24 @@ bool deep_inside(const Lattice& lattice, const std::array<int, 3>& at, int dim) 
   return true;
 }
 
-void give_volumes(Particles& p, const Shape& shape, MassRule rule) {
-  const double share = shape.measure() / double(p.size());
+/// The share rule counts particles as the body with its images would: those on a plane belong to it by half.
+void give_volumes(Particles& p, const Shape& shape, MassRule rule, const std::vector<MirrorPlane>& planes) {
+  p.part.assign(p.size(), 1.0);
+  for (const MirrorPlane& m : planes)
+    for (std::size_t i = 0; i < p.size(); ++i)
+      if (std::abs(p.position[i][m.axis] - m.at) < 1e-6 * p.spacing) p.part[i] *= 0.5;
+  double count = 0;
+  for (double part : p.part) count += part;
+  const double share = shape.measure() / count;
   p.volume.assign(p.size(), rule == MassRule::share ? share : p.cell);
   if (rule != MassRule::trapezoid) return;
   for (std::size_t i = 0; i < p.size(); ++i)
-    if (!deep_inside(p.lattice, p.lattice.place[i], p.dim)) p.volume[i] = p.cell * fraction_inside(shape, p.position[i], p.lattice.spacing);
+    if (!deep_inside(p.lattice, p.lattice.place[i], p.dim)) p.volume[i] = p.cell * fraction_inside(shape, p.position[i], p.lattice.spacing, planes);
 }
 
 }  // namespace
 
-Particles fill(const Shape& shape, const Options& options) {
+Particles fill(const Shape& shape, const Options& options, const std::vector<MirrorPlane>& planes) {
   Particles p;
   p.dim = shape.dim();
   Lattice& lattice = p.lattice;
@@ -80,7 +89,7 @@ Particles fill(const Shape& shape, const Options& options) {
         p.position.push_back(x);
       }
   if (p.position.empty()) throw std::runtime_error(fmt::format("no particle of spacing {:g} mm lies in the body; take a finer spacing", options.spacing * 1e3));
-  give_volumes(p, shape, options.mass);
+  give_volumes(p, shape, options.mass, planes);
   if (options.jitter > 0) {
     p.regular = false;
     std::mt19937_64 random(20090924);
@@ -92,6 +101,57 @@ Particles fill(const Shape& shape, const Options& options) {
       }
   }
   return p;
+}
+
+std::vector<MirrorPlane> mirror_planes(const Scene& scene, std::size_t body) {
+  std::vector<MirrorPlane> planes;
+  const Shape& shape = *scene.bodies[body].shape;
+  for (const Symmetry& s : scene.symmetries)
+    if (s.place.body == body) planes.push_back({s.axis(), (s.upper() ? shape.upper() : shape.lower())[s.axis()], s.upper()});
+  return planes;
+}
+
+void add_mirrored(Particles& p, const std::vector<MirrorPlane>& planes, double radius) {
+  if (planes.empty()) return;
+  Lattice& lattice = p.lattice;
+  const std::array<int, 3> count = lattice.count;
+  for (const MirrorPlane& m : planes) {
+    for (const MirrorPlane& other : planes)
+      if (other.axis == m.axis && other.upper != m.upper && std::abs(other.at - m.at) < radius)
+        throw std::runtime_error(fmt::format("the symmetry planes across {} are {:g} mm apart, nearer than the kernel's radius of {:g} mm; take a finer spacing",
+                                             "xyz"[m.axis], std::abs(other.at - m.at) * 1e3, radius * 1e3));
+    const int side = m.upper ? count[m.axis] - 1 : 0;
+    const std::size_t known = p.position.size(), own = p.size();
+    for (std::size_t i = 0; i < known; ++i) {
+      const double depth = std::abs(p.position[i][m.axis] - m.at);
+      if (depth < 1e-6 * p.spacing || depth >= radius) continue;
+      Mirrored image = i < own ? Mirrored{i, {1, 1, 1}} : p.mirrored[i - own];
+      image.sign[m.axis] *= -1;
+      Point x = p.position[i];
+      x[m.axis] = 2 * m.at - x[m.axis];
+      std::array<int, 3> place = lattice.place[i];
+      place[m.axis] = 2 * side - place[m.axis];
+      p.mirrored.push_back(image);
+      p.position.push_back(x);
+      p.volume.push_back(p.volume[i]);
+      p.part.push_back(0.0);
+      lattice.place.push_back(place);
+    }
+  }
+  // The lattice grows by the layers beyond the planes.
+  std::array<int, 3> first{}, last{count[0] - 1, count[1] - 1, count[2] - 1};
+  for (const auto& place : lattice.place)
+    for (int a = 0; a < 3; ++a) first[a] = std::min(first[a], place[a]), last[a] = std::max(last[a], place[a]);
+  for (int a = 0; a < 3; ++a) {
+    lattice.count[a] = last[a] - first[a] + 1;
+    lattice.origin[a] += first[a] * lattice.spacing[a];
+  }
+  lattice.at.assign(std::size_t(lattice.count[0]) * lattice.count[1] * lattice.count[2], -1);
+  for (std::size_t i = 0; i < lattice.place.size(); ++i) {
+    auto& place = lattice.place[i];
+    for (int a = 0; a < 3; ++a) place[a] -= first[a];
+    lattice.at[std::size_t(place[0]) + std::size_t(lattice.count[0]) * (std::size_t(place[1]) + std::size_t(lattice.count[1]) * place[2])] = int(i);
+  }
 }
 
 }  // namespace femsph::sph

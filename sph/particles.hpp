@@ -22,19 +22,41 @@ struct Lattice {
   }
 };
 
+/// A particle beyond a symmetry plane: particle `of` of the body, with the components of vectors times `sign`.
+struct Mirrored {
+  std::size_t of;
+  std::array<double, 3> sign;
+};
+
+/// A symmetry plane: x_axis = at, the body on its lower (or upper) side.
+struct MirrorPlane {
+  int axis;
+  double at;
+  bool upper;  ///< the plane is the body's upper side
+};
+std::vector<MirrorPlane> mirror_planes(const Scene& scene, std::size_t body);
+
 struct Particles {
   int dim = 2;
   double spacing = 0;               ///< d, the smallest over the axes, m
   double cell = 0;                  ///< d^dim, m^dim
-  std::vector<Point> position;      ///< m
+  std::vector<Point> position;      ///< m; the body's own particles, then the mirrored ones
   std::vector<double> volume;       ///< V_i by the mass rule, m^dim (an area in 2D, without the thickness)
+  std::vector<double> part;         ///< of V_i that belongs to the body: 1/2 on a symmetry plane, 1/4 on two, else 1
+  std::vector<Mirrored> mirrored;   ///< the last of `position`
   Lattice lattice;
   bool regular = true;              ///< false once jittered: the lattice then only says which particles are where
-  std::size_t size() const { return position.size(); }
+  std::size_t size() const { return position.size() - mirrored.size(); }  ///< of the body's own
+  double own_volume(std::size_t i) const { return volume[i] * part[i]; }
 };
 
 /// The spacing is adjusted per axis so that particles sit on both ends of the body's bounding box.
 /// Throws std::runtime_error when the spacing does not fit the body.
-Particles fill(const Shape& shape, const Options& options);
+/// Volumes are those in the body with its mirror images: beyond a symmetry plane it goes on.
+Particles fill(const Shape& shape, const Options& options, const std::vector<MirrorPlane>& planes = {});
+
+/// Adds the mirror images of the particles within `radius` of each plane, corners of two planes included.
+/// Throws std::runtime_error if two opposite planes are nearer than that.
+void add_mirrored(Particles& particles, const std::vector<MirrorPlane>& planes, double radius);
 
 }  // namespace femsph::sph

@@ -40,27 +40,38 @@ class TotalLagrangian final : public ParticleBody {
     return ParticleBody::bytes() + stencils_.bytes() + (adjoint_ ? adjoint_->bytes() : 0) + (viscosity_ ? viscosity_->bytes() : 0) + arrays * sizeof(double);
   }
 
-  void internal_force(const double* u, const double* v, double, double* f, double* viscous) override {
+  void internal_force(const double* given, const double* v, double, double* f, double* viscous) override {
+    const double* u = with_mirrored(given);
     strain_to_stress<Kinematics>(u, [&](std::size_t block, const Symmetric<Pack, dim>& strain) __attribute__((always_inline)) {
       if constexpr (n_state == 0) return law_.stress(strain);
       else return advance_law<LawType, Pack, dim>(law_, strain, reinterpret_cast<Pack*>(&state_[block * n_state * lanes]));
     });
+    add_bars<Kinematics>(u, bars_.pieces, [](const BarLaw& law, double strain, BarState& state) { return law.advance(strain, state); });
+    mirror_stress();
     stress_to_force(f);
-    if (viscous) viscosity_->force(v, layout_, viscous);
+    if (viscous) viscosity_->force(with_mirrored(v), layout_, viscous);
   }
 
-  void stiffness(const double* x, double* y) const override {
+  void stiffness(const double* given, double* y) const override {
+    const double* x = with_mirrored(given);
     const LinearElastic elastic = law_.elastic();
     strain_to_stress<SmallStrain>(x, [&](std::size_t, const Symmetric<Pack, dim>& strain) __attribute__((always_inline)) { return elastic.stress(strain); });
+    add_bars<SmallStrain>(x, bars_.pieces, [](const BarLaw& law, double strain, const BarState&) { return law.young * strain; });
+    mirror_stress();
     stress_to_force(y);
     for (std::size_t i = 0; i < layout_.size; ++i) y[i] = -y[i];
   }
 
   bool has_viscosity() const override { return viscosity_ != nullptr; }
-  void damping_matrix(const double* x, double* y) const override { viscosity_->matrix(x, layout_, y); }
+  void damping_matrix(const double* x, double* y) const override { viscosity_->matrix(with_mirrored(x), layout_, y); }
 
-  double strain_energy(const double* u) const override {
-    return sum_over_blocks([&](std::size_t block) {
+  double strain_energy(const double* given) const override {
+    const double* u = with_mirrored(given);
+    double in_bars = 0;
+    each_bar<Kinematics>(u, bars_.pieces, [&](const SmearedPiece& piece, double strain, const Pull&) {
+      in_bars += bars_.volume(piece) * bars_.rows[piece.row].law.stored(strain, piece.state);
+    });
+    return in_bars + sum_over_blocks([&](std::size_t block) {
       Tensor<Pack, dim> H;
       Pack L[dim];
       gradient<false>(block, u, H, L);
@@ -71,13 +82,15 @@ class TotalLagrangian final : public ParticleBody {
   }
 
   double dissipated_energy(const double*) const override {
-    if constexpr (n_state == 0) return 0;
-    else return sum_over_blocks([&](std::size_t block) { return volume(block) * law_.plastic_work(history(block)); });
+    const double in_bars = bars_.dissipated_energy();
+    if constexpr (n_state == 0) return in_bars;
+    else return in_bars + sum_over_blocks([&](std::size_t block) { return volume(block) * law_.plastic_work(history(block)); });
   }
 
   /// sum_i V_i kappa/2 sum_j scale_ij |H_i x_ij - u_ij|^2, with scale_ij x_ij = w_ij.
-  double hourglass_energy(const double* u) const override {
+  double hourglass_energy(const double* given) const override {
     if constexpr (!hourglass) return 0;
+    const double* u = with_mirrored(given);
     return sum_over_blocks([&](std::size_t block) {
       Tensor<Pack, dim> H;
       Pack L[dim], sum{};
@@ -94,7 +107,17 @@ class TotalLagrangian final : public ParticleBody {
     });
   }
 
-  void material_state(const double* u, std::span<const std::size_t> points, MaterialState& out) const override {
+  std::vector<BarPiece> bars(const double* u) const override {
+    std::vector<BarPiece> out;
+    each_bar<Kinematics>(with_mirrored(u), bars_.pieces, [&](const SmearedPiece& piece, double strain, const Pull&) {
+      const BarRow& row = bars_.rows[piece.row];
+      out.push_back({row.bar, particles_.position[piece.particle], row.area, piece.length, strain, row.law.stress(strain, piece.state), piece.state.plastic_strain});
+    });
+    return out;
+  }
+
+  void material_state(const double* given, std::span<const std::size_t> points, MaterialState& out) const override {
+    const double* u = with_mirrored(given);
     out.stress.resize(points.size());
     out.strain.resize(points.size());
     out.plastic.resize(n_state == 0 ? 0 : points.size());
@@ -146,7 +169,7 @@ class TotalLagrangian final : public ParticleBody {
     Row row;
     for (std::size_t i = 0; i < n; ++i) {
       rows.row(i, row);
-      v_[i] = particles_.volume[i] * thickness_;
+      v_[i] = particles_.own_volume(i) * thickness_;
       for (const Neighbour& j : row)
         for (int a = 0; a < dim; ++a) s_[slot(i, a, dim)] += j.w[a];
       if constexpr (corrected) set_correction(i, rows, row);
@@ -225,6 +248,54 @@ class TotalLagrangian final : public ParticleBody {
           for (int c = 0; c < dim; ++c) store(&q_[first(block) + (r * dim + c) * stride()], P[r][c]);
       }
     });
+  }
+
+  /// Direction in which a bar pulls.
+  struct Pull {
+    double at[dim];
+  };
+  /// Calls take(piece, strain, pull) for every piece of a bar.
+  template <class Motion, class Pieces, class Take>
+  void each_bar(const double* u, Pieces& pieces, Take&& take) const {
+    Tensor<Pack, dim> H;
+    std::size_t known = std::size_t(-1);
+    for (auto& piece : pieces) {
+      const std::size_t block = piece.particle / lanes, lane = piece.particle % lanes;
+      if (block != known) {
+        Pack L[dim];
+        gradient<false>(block, u, H, L);
+        known = block;
+      }
+      const int axis = bars_.rows[piece.row].axis;
+      double g[dim];
+      Pull pull;
+      for (int r = 0; r < dim; ++r) g[r] = H[r][axis][lane];
+      take(piece, bar_strain<Motion, dim>(g, axis, pull.at), pull);
+    }
+  }
+  /// Q += (A l / V) sigma pull (x) B e_a.
+  template <class Motion, class Pieces, class StressOf>
+  void add_bars(const double* u, Pieces& pieces, StressOf&& stress_of) const {
+    each_bar<Motion>(u, pieces, [&](auto& piece, double strain, const Pull& pull) {
+      const BarRow& row = bars_.rows[piece.row];
+      const double p = piece.per_cell * stress_of(row.law, strain, piece.state);
+      for (int c = 0; c < dim; ++c) {
+        double b = c == row.axis ? 1.0 : 0.0;
+        if constexpr (corrected) b = b_[slot(piece.particle, symmetric_index<dim>(row.axis, c), n_symmetric)];
+        for (int r = 0; r < dim; ++r) q_[layout_.offset + piece.particle + (r * dim + c) * stride()] += p * pull.at[r] * b;
+      }
+    });
+  }
+  /// Beyond a symmetry plane Q has the mirrored components: sign_r sign_c Q_rc.
+  void mirror_stress() const {
+    for (std::size_t k = 0; k < particles_.mirrored.size(); ++k) {
+      const Mirrored& m = particles_.mirrored[k];
+      for (int r = 0; r < dim; ++r)
+        for (int c = 0; c < dim; ++c) {
+          double* q = &q_[layout_.offset + (r * dim + c) * stride()];
+          q[particles_.size() + k] = m.sign[r] * m.sign[c] * q[m.of];
+        }
+    }
   }
 
   void stress_to_force(double* f) const {

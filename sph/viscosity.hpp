@@ -36,7 +36,7 @@ class PairViscosity {
   PairViscosity(const Particles& p, const Kernel& kernel, const Options& options, double density, double sound, double thickness)
       : stencils_(ViscousRows(p.regular ? lattice_rows(p, kernel) : search_rows(p, kernel), kernel.h(), options.viscosity.gamma), p.size()),
         linear_(density * options.viscosity.alpha * sound), quadratic_(density * options.viscosity.beta), volume_(round_up(p.size(), lanes), 0.0) {
-    for (std::size_t i = 0; i < p.size(); ++i) volume_[i] = p.volume[i] * thickness;
+    for (std::size_t i = 0; i < p.size(); ++i) volume_[i] = p.own_volume(i) * thickness;
   }
   std::size_t bytes() const { return stencils_.bytes() + volume_.size() * sizeof(double); }
 

@@ -41,6 +41,15 @@ struct MaterialState {
   std::vector<double> plastic;  ///< equivalent plastic strain; empty when the law has none
 };
 
+/// A piece of a reinforcing bar as it is now.
+struct BarPiece {
+  std::size_t bar;        ///< index into Scene::bars
+  Point position;         ///< m, undeformed
+  double area, length;    ///< m^2, m
+  double strain, stress;  ///< along the bar; 1, Pa
+  double plastic_strain;
+};
+
 /// sqrt(3/2 s:s) with s the deviator of the stress xx yy zz xy yz zx.
 double von_mises(const std::array<double, 6>& stress);
 
@@ -80,6 +89,8 @@ class Discretization {
   virtual double hourglass_energy(const double*) const { return 0.0; }
   /// Plastic work so far (J), at the displacement of the last internal_force().
   virtual double dissipated_energy(const double*) const { return 0.0; }
+  /// The bars of the body at displacement u.
+  virtual std::vector<BarPiece> bars(const double*) const { return {}; }
 
   /// The points of a place, sorted, with the share of a unit total force that each takes (sum 1). Empty if there are none.
   virtual std::vector<Weight> points_of(const Place& place) const = 0;

@@ -67,6 +67,23 @@ void March::forces() {
     PhaseTimer timer(price_, "contact");
     contact.add_forces(bodies_, rigid_, step_, dt_);
   }
+  for (MovingBody& body : bodies_) hold_means(body);  // last: reactions answer to every other force
+}
+
+/// A mean that stands still stays still if sum_i w_i f_i / m_i = 0: the reactions are f_i += R w_i with R = -(sum w f/m) / (sum w^2/m).
+/// They do no work, since sum_i w_i v_i = 0 at every half step.
+void March::hold_means(MovingBody& body) {
+  const auto project = [&](MovingBody::MeanHold& hold, AlignedVector<double>& f) {
+    double sum = 0;
+    for (std::size_t k = 0; k < hold.slots.size(); ++k) sum += hold.weights[k] * body.inverse_mass[hold.slots[k]] * f[hold.slots[k]];
+    const double reaction = -sum / hold.inverse_mass;
+    for (std::size_t k = 0; k < hold.slots.size(); ++k) f[hold.slots[k]] += reaction * hold.weights[k];
+    return reaction;
+  };
+  for (MovingBody::MeanHold& hold : body.means) {
+    hold.reaction = project(hold, body.f);
+    if (!body.viscous.empty()) hold.reaction += project(hold, body.viscous);
+  }
 }
 
 namespace {

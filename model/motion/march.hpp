@@ -31,6 +31,14 @@ struct MovingBody {
     std::size_t load;   ///< index into Scene::loads
   };
   std::vector<NodalLoad> loads;
+  /// A component whose weighted mean over a place is held at zero: sum_i w_i u_i = 0, by the forces R w_i.
+  struct MeanHold {
+    std::vector<std::size_t> slots;
+    std::vector<double> weights;
+    double inverse_mass;   ///< sum_i w_i^2 / m_i, 1/kg
+    double reaction = 0;   ///< R, N
+  };
+  std::vector<MeanHold> means;
 };
 
 struct MarchOptions {
@@ -88,6 +96,8 @@ class March {
   void place_supports_and_loads(MovingBody& body, std::size_t index);
   void place_rigid_bodies_and_contacts();
   void find_critical_step();
+  void place_mean_support(MovingBody& body, const Support& support, const std::vector<Weight>& points);
+  void hold_means(MovingBody& body);  ///< adds the reactions of mean supports to the forces
   void start_velocities();
   void forces();            ///< gradient, law, divergence of every body; then loads and gravity
   void kick_and_drift();    ///< v += dt f/m, u += dt v, with whichever damping is on
@@ -99,6 +109,8 @@ class March {
     double energy = 0, damping = 0, viscosity = 0;
   };
   Kinetic kinetic() const;
+  /// Axes normal to the body's symmetry planes: along these its other half pushes back.
+  std::array<bool, 3> mirrored_axes(const MovingBody& body) const;
   template <class Take>
   void internal_forces(const MovingBody& body, Take&& take) const;
   [[noreturn]] void fail(const std::string& what, const std::string& advice) const;

@@ -56,18 +56,40 @@ void March::place_supports_and_loads(MovingBody& body, std::size_t index) {
                                     place.source.line, place.source.column, what, body.name, d.describe()));
     return points;
   };
-  for (const Support& support : scene_.supports) {
-    if (support.place.body != index) continue;
+  for (const Support& support : scene_.holds()) {
+    if (support.place.body != index || support.mean) continue;
     for (const Weight& w : points_of(support.place, "support"))
       for (int c = 0; c < at.dim; ++c)
         if (support.fixed[c]) body.inverse_mass[at.at(w.point, c)] = 0;
   }
+  for (const Support& support : scene_.supports)
+    if (support.place.body == index && support.mean) place_mean_support(body, support, points_of(support.place, "support"));
   for (std::size_t l = 0; l < scene_.loads.size(); ++l) {
     const Load& load = scene_.loads[l];
     if (load.place.body != index) continue;
     for (const Weight& w : points_of(load.place, "load"))
       for (int c = 0; c < at.dim; ++c)
         if (load.force[c] != 0) body.loads.push_back({at.at(w.point, c), w.weight * load.force[c], l});
+  }
+}
+
+void March::place_mean_support(MovingBody& body, const Support& support, const std::vector<Weight>& points) {
+  const Layout& at = body.discretization->layout();
+  for (int c = 0; c < at.dim; ++c) {
+    if (!support.fixed[c]) continue;
+    MovingBody::MeanHold hold{{}, {}, 0, 0};
+    for (const Weight& w : points) {
+      const std::size_t slot = at.at(w.point, c);
+      hold.inverse_mass += w.weight * w.weight * body.inverse_mass[slot];
+      if (body.inverse_mass[slot] == 0) continue;  // held by a support of its own
+      for (const MovingBody::MeanHold& other : body.means)
+        if (std::find(other.slots.begin(), other.slots.end(), slot) != other.slots.end())
+          throw MotionError(fmt::format("{}:{}:{}: two supports with mode = \"mean\" share a point of body \"{}\"; keep their places apart", scene_.file,
+                                        support.place.source.line, support.place.source.column, body.name));
+      hold.slots.push_back(slot);
+      hold.weights.push_back(w.weight);
+    }
+    if (!hold.slots.empty()) body.means.push_back(std::move(hold));
   }
 }
 
@@ -84,6 +106,12 @@ void March::start_velocities() {
             if (body.inverse_mass[slot] == 0) continue;
             body.v[slot] = start.velocity[c];
           }
+    for (const MovingBody::MeanHold& hold : body.means) {  // a held mean starts at rest
+      double sum = 0;
+      for (std::size_t k = 0; k < hold.slots.size(); ++k) sum += hold.weights[k] * body.v[hold.slots[k]];
+      for (std::size_t k = 0; k < hold.slots.size(); ++k)
+        body.v[hold.slots[k]] -= hold.weights[k] * body.inverse_mass[hold.slots[k]] * sum / hold.inverse_mass;
+    }
     for (std::size_t i = 0; i < body.v.size(); ++i) {
       const double force = body.viscous.empty() ? body.f[i] : body.f[i] + body.viscous[i];
       body.v[i] = (2 * body.v[i] - push * body.inverse_mass[i] * force) / (1 + keep);
@@ -112,6 +140,8 @@ void March::internal_forces(const MovingBody& body, Take&& take) const {
       for (int c = 0; c < at.dim; ++c) f[at.at(p, c)] -= force[c];
     });
   for (const MovingBody::NodalLoad& load : body.loads) f[load.slot] -= load.force * scene_.loads[load.load].history.at(time());
+  for (const MovingBody::MeanHold& hold : body.means)
+    for (std::size_t k = 0; k < hold.slots.size(); ++k) f[hold.slots[k]] -= hold.reaction * hold.weights[k];
   for (std::size_t i = 0; i < at.points; ++i) {
     Point p{}, x = body.discretization->position(i);
     for (int c = 0; c < at.dim; ++c) {
@@ -123,12 +153,20 @@ void March::internal_forces(const MovingBody& body, Take&& take) const {
   }
 }
 
+std::array<bool, 3> March::mirrored_axes(const MovingBody& body) const {
+  std::array<bool, 3> axes{};
+  for (const Symmetry& s : scene_.symmetries)
+    if (&bodies_[s.place.body] == &body) axes[s.axis()] = true;
+  return axes;
+}
+
 double March::force_imbalance() const {
   double worst = 0;
   for (const MovingBody& body : bodies_) {
     Point sum{}, size{};
+    const std::array<bool, 3> mirrored = mirrored_axes(body);
     internal_forces(body, [&](const Point&, const Point& f) {
-      for (int c = 0; c < 3; ++c) sum[c] += f[c], size[c] += std::abs(f[c]);
+      for (int c = 0; c < 3; ++c) sum[c] += mirrored[c] ? 0.0 : f[c], size[c] += std::abs(f[c]);
     });
     const double all = size[0] + size[1] + size[2];
     if (all > 0) worst = std::max(worst, (std::abs(sum[0]) + std::abs(sum[1]) + std::abs(sum[2])) / all);
@@ -141,9 +179,11 @@ double March::moment_imbalance() const {
   for (const MovingBody& body : bodies_) {
     Point sum{};
     double all = 0;
+    const std::array<bool, 3> mirrored = mirrored_axes(body);
     internal_forces(body, [&](const Point& x, const Point& f) {
       for (int c = 0; c < 3; ++c) {
         const int a = (c + 1) % 3, b = (c + 2) % 3;
+        if (mirrored[a] || mirrored[b]) continue;
         sum[c] += x[a] * f[b] - x[b] * f[a];
         all += std::abs(x[a] * f[b]) + std::abs(x[b] * f[a]);
       }

@@ -34,7 +34,7 @@ bool solve(double (&a)[4][4], double (&b)[4], int n) {
 
 }  // namespace
 
-std::vector<Weight> least_squares_weights(const std::vector<Point>& points, int dim, const Point& p, double radius, double coincident) {
+std::vector<Weight> least_squares_weights(std::span<const Point> points, int dim, const Point& p, double radius, double coincident) {
   std::size_t nearest = 0;
   for (std::size_t i = 0; i < points.size(); ++i)
     if (distance(points[i], p) < distance(points[nearest], p)) nearest = i;

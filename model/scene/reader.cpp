@@ -44,6 +44,8 @@ Scene parse_scene(const std::string& text, const std::string& file) {
   read_materials(root, reading);
   read_bodies(root, reading);  // before all that refers to a body
   read_supports(root, reading);
+  read_symmetries(root, reading);
+  read_bars(root, reading);
   read_loads(root, reading);
   read_initial_velocities(root, reading);
   read_contacts(root, reading);

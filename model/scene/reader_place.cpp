@@ -63,6 +63,7 @@ std::optional<Place> read_place(Fields& fields, const Reading& reading) {
   const bool rigid = body && reading.scene.bodies[*body].rigid;
   const auto at = fields.text("at", by_point || rigid ? Need::optional : Need::required, expected);
   const auto point = fields.vector("point", Need::optional, dimension::length, reading.dim);
+  const auto within = fields.corners("within", Need::optional, dimension::length, reading.dim);
   if (both) return fields.fault("point", "both \"at\" and \"point\" are given; expected one of them"), std::nullopt;
   if (rigid) {
     if (point || at.value_or(whole_body) != whole_body)
@@ -75,6 +76,8 @@ std::optional<Place> read_place(Fields& fields, const Reading& reading) {
   Place place;
   place.body = *body;
   place.point = point;
+  if (within) place.within = Region{within->first, within->second};
+  if (point && fields.has("within")) fields.fault("within", "\"within\" with \"point\"; expected it only with \"at\"");
   place.source = fields.source(by_point ? "point" : "at");
   const Shape* shape = reading.scene.bodies[*body].shape.get();
   if (!shape) return place;

@@ -1,6 +1,7 @@
 #include "model/scene/scene.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <stdexcept>
 
 namespace femsph {
@@ -27,6 +28,30 @@ double TimeHistory::at(double t) const {
   return factor[next - 1] + share * (factor[next] - factor[next - 1]);
 }
 
+bool Region::contains(const Point& p, double tolerance) const {
+  for (int a = 0; a < 3; ++a)
+    if (p[a] < lower[a] - tolerance || p[a] > upper[a] + tolerance) return false;
+  return true;
+}
+
+int Bar::axis() const {
+  int longest = 0;
+  for (int a = 1; a < 3; ++a)
+    if (std::abs(to[a] - from[a]) > std::abs(to[longest] - from[longest])) longest = a;
+  return longest;
+}
+
+std::vector<Support> Scene::holds() const {
+  std::vector<Support> all = supports;
+  for (const Symmetry& s : symmetries) {
+    Support hold;
+    hold.place = s.place;
+    hold.fixed[s.axis()] = true;
+    all.push_back(hold);
+  }
+  return all;
+}
+
 LinearElastic elastic_of(const Scene& scene, std::size_t body, const std::string& what) {
   const Material& material = scene.material_of(scene.bodies.at(body));
   const Law law = material.law(scene.plane);
@@ -35,7 +60,8 @@ LinearElastic elastic_of(const Scene& scene, std::size_t body, const std::string
 }
 
 bool Scene::is_plastic() const {
-  return std::any_of(bodies.begin(), bodies.end(), [&](const Body& body) { return !body.rigid && material_of(body).plasticity.has_value(); });
+  return std::any_of(bodies.begin(), bodies.end(), [&](const Body& body) { return !body.rigid && material_of(body).plasticity.has_value(); }) ||
+         std::any_of(bars.begin(), bars.end(), [&](const Bar& bar) { return materials.at(bar.material).plasticity.has_value(); });
 }
 
 namespace {
@@ -56,6 +82,8 @@ void add_plastic_effects(const Scene& scene, std::vector<std::string>& on) {
     if (p->integration == Integration::largest_stress) add("no return mapping (hypothesis 3)");
     if (p->integration == Integration::modulus_mistaken) add("no return mapping (hypothesis 8)");
   }
+  for (const Bar& bar : scene.bars)
+    if (scene.materials.at(bar.material).plasticity) add("plasticity");
 }
 
 }  // namespace
@@ -68,6 +96,8 @@ std::vector<std::string> Scene::effects() const {
   add(large_motion, "finite rotation");
   add_plastic_effects(*this, on);
   add(!supports.empty(), "supports");
+  add(!symmetries.empty(), "symmetry");
+  add(!bars.empty(), "bars");
   add(!loads.empty(), "loads");
   add(!initial_velocities.empty(), "initial velocity");
   add(std::any_of(bodies.begin(), bodies.end(), [](const Body& body) { return body.rigid; }), "rigid bodies");

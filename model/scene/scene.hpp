@@ -35,6 +35,12 @@ struct Body {
   double mass = 0;         ///< kg, of a rigid body
 };
 
+/// An axis-parallel region of the undeformed body.
+struct Region {
+  Point lower{}, upper{};  ///< m
+  bool contains(const Point& p, double tolerance) const;
+};
+
 /// Part of a body: the points of its boundary that lie on all of `sides` (one side: a face; two: an edge in 3D, a corner in 2D;
 /// three: a corner in 3D); or, with `point`, the discretization point nearest to it; or, with neither, the whole body.
 struct Place {
@@ -42,12 +48,32 @@ struct Place {
   std::vector<std::string> sides;  ///< names known to the body's shape: "x-", "x+", .. or a physical group of a mesh
   std::optional<Point> point;      ///< m
   Source source;
+  std::optional<Region> within{};  ///< of these, only the points in here
 };
 
 struct Support {
   Place place;
   std::array<bool, 3> fixed{};  ///< which displacement components are held at zero
   std::array<bool, 3> fixed_turn{};  ///< of a rigid body: about which axes it cannot turn
+  bool mean = false;            ///< only the weighted mean over the place is held, so that the place may turn
+};
+
+/// A plane side of a body beyond which the body goes on, mirrored; its normal displacement is zero.
+struct Symmetry {
+  Place place;  ///< one side of the bounding box
+  int axis() const { return place.sides[0][0] - 'x'; }
+  bool upper() const { return place.sides[0][1] == '+'; }
+};
+
+/// Reinforcement along one axis, perfectly bonded to its body. It adds its stiffness and its mass to the body, which keeps its own.
+struct Bar {
+  std::string name;
+  std::size_t body = 0;
+  Point from{}, to{};    ///< m, in the undeformed body
+  double area = 0;       ///< m^2, of all bars over the thickness of a plane body; of one in space
+  std::string material;  ///< a key of Scene::materials
+  Source source{};
+  int axis() const;
 };
 
 /// How a load grows in time: a piecewise linear factor, held constant beyond its ends. A step is one point (0, 1).
@@ -118,6 +144,8 @@ struct Scene {
   std::map<std::string, Material> materials;
   std::vector<Body> bodies;
   std::vector<Support> supports;
+  std::vector<Symmetry> symmetries;
+  std::vector<Bar> bars;
   std::vector<Load> loads;
   std::vector<InitialVelocity> initial_velocities;
   std::vector<Contact> contacts;
@@ -132,7 +160,9 @@ struct Scene {
 
   int dim() const { return plane == Plane::none ? 3 : 2; }
   const Material& material_of(const Body& body) const { return materials.at(body.material); }
-  bool is_plastic() const;  ///< some body's material is
+  /// The supports, and the symmetry planes as what they hold: their normal component.
+  std::vector<Support> holds() const;
+  bool is_plastic() const;  ///< some body's or bar's material is
   /// The effects that this scene asks for, by name; everything else costs nothing.
   std::vector<std::string> effects() const;
 };

@@ -24,6 +24,8 @@ void read_model(Fields& root, Reading& reading);
 void read_materials(Fields& root, Reading& reading);
 void read_bodies(Fields& root, Reading& reading);
 void read_supports(Fields& root, Reading& reading);
+void read_symmetries(Fields& root, Reading& reading);
+void read_bars(Fields& root, Reading& reading);
 void read_loads(Fields& root, Reading& reading);
 void read_initial_velocities(Fields& root, Reading& reading);
 void read_contacts(Fields& root, Reading& reading);

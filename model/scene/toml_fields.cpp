@@ -147,26 +147,48 @@ std::optional<double> Fields::quantity(const char* key, Need need, const Dimensi
 
 std::optional<std::vector<double>> Fields::quantities(const char* key, Need need, const Dimension& dimension, Sign sign) {
   const toml::array* list = array(key, need, fmt::format("a list such as [\"{0}\", \"{0}\"]", dimension.example));
-  if (!list) return {};
+  return list ? read_quantities(*list, key, dimension, sign) : std::nullopt;
+}
+
+std::optional<std::vector<double>> Fields::read_quantities(const toml::array& list, const char* key, const Dimension& dimension, Sign sign) {
   std::vector<double> all;
-  for (const toml::node& node : *list)
+  for (const toml::node& node : list)
     if (const auto value = read_quantity(node, key, dimension, sign)) all.push_back(*value);
-  return all.size() == list->size() ? std::optional(all) : std::nullopt;
+  return all.size() == list.size() ? std::optional(all) : std::nullopt;
 }
 
 std::optional<Point> Fields::vector(const char* key, Need need, const Dimension& dimension, int dim, Sign sign) {
   const auto all = quantities(key, need, dimension, sign);
-  if (!all) return {};
-  const bool fits = dim == 0 ? all->size() == 2 || all->size() == 3 : int(all->size()) == dim;
+  return all ? to_point(*all, key, dim) : std::nullopt;
+}
+
+std::optional<std::pair<Point, Point>> Fields::corners(const char* key, Need need, const Dimension& dimension, int dim) {
+  const std::string expected = "two corners such as [[\"0 mm\", \"0 mm\"], [\"50 mm\", \"10 mm\"]]";
+  const toml::array* list = array(key, need, expected);
+  if (!list) return {};
+  if (list->size() != 2 || !(*list)[0].is_array() || !(*list)[1].is_array())
+    return fault(key, fmt::format("\"{}\" is not a pair of corners; expected {}", key, expected)), std::nullopt;
+  std::optional<Point> corner[2];
+  for (int k = 0; k < 2; ++k)
+    if (const auto all = read_quantities(*(*list)[std::size_t(k)].as_array(), key, dimension, Sign::any)) corner[k] = to_point(*all, key, dim);
+  if (!corner[0] || !corner[1]) return {};
+  for (int a = 0; a < 3; ++a)
+    if ((*corner[0])[a] > (*corner[1])[a])
+      return fault(key, fmt::format("the first corner of \"{}\" lies above the second along {}; expected the lower corner first", key, "xyz"[a])), std::nullopt;
+  return std::pair(*corner[0], *corner[1]);
+}
+
+std::optional<Point> Fields::to_point(const std::vector<double>& all, const char* key, int dim) const {
+  const bool fits = dim == 0 ? all.size() == 2 || all.size() == 3 : int(all.size()) == dim;
   if (!fits) {
-    fault(key, fmt::format("\"{}\" has {} component{}; expected {}", key, all->size(), all->size() == 1 ? "" : "s",
+    fault(key, fmt::format("\"{}\" has {} component{}; expected {}", key, all.size(), all.size() == 1 ? "" : "s",
                            dim == 2   ? "2 (x, y) in a plane scene"
                            : dim == 3 ? "3 (x, y, z) in a three-dimensional scene"
                                       : "2 or 3"));
     return {};
   }
   Point point{};
-  std::copy(all->begin(), all->end(), point.begin());
+  std::copy(all.begin(), all.end(), point.begin());
   return point;
 }
 

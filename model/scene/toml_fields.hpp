@@ -49,6 +49,8 @@ class Fields {
   std::optional<std::vector<double>> quantities(const char* key, Need need, const Dimension& dimension, Sign sign = Sign::any);
   /// A vector of `dim` components in SI; dim 0: two or three will do (the dimension of the scene is itself at fault).
   std::optional<Point> vector(const char* key, Need need, const Dimension& dimension, int dim, Sign sign = Sign::any);
+  /// Two such vectors: the lower and the upper corner of a box.
+  std::optional<std::pair<Point, Point>> corners(const char* key, Need need, const Dimension& dimension, int dim);
   /// One of a few words.
   template <class T>
   std::optional<T> choice(const char* key, Need need, const std::vector<std::pair<std::string, T>>& choices);
@@ -67,6 +69,8 @@ class Fields {
  private:
   const toml::node* find(const char* key, Need need, const std::string& expected);
   const toml::array* array(const char* key, Need need, const std::string& expected);
+  std::optional<std::vector<double>> read_quantities(const toml::array& list, const char* key, const Dimension& dimension, Sign sign);
+  std::optional<Point> to_point(const std::vector<double>& all, const char* key, int dim) const;
   std::optional<double> read_quantity(const toml::node& node, const char* key, const Dimension& dimension, Sign sign);
   void wrong_type(const toml::node& node, const std::string& key, const std::string& expected);
   std::optional<std::size_t> choose(const char* key, Need need, const std::vector<std::string>& words);

