@@ -100,7 +100,7 @@ bool ContactPair::choose(Bodies bodies, const Pass& pass, std::size_t k, Hold& h
   const std::size_t p = pass.points[k];
   if (hold.piece >= 0) {  // stay on a piece until the foot leaves it: normals do not jump at edges
     found = stand(bodies, pass, hold.piece, own.now[p]);
-    if (found.beyond <= 0) return found.gap < -slack_;
+    if (found.beyond <= (hold.touches ? overhang_ : 1e-6 * spacing_)) return found.gap < -slack_;
   }
   double nearest = std::numeric_limits<double>::infinity();
   for (int c = pass.begin[k]; c < pass.begin[k + 1]; ++c) {
@@ -136,6 +136,7 @@ void ContactPair::press(Bodies bodies, Pass& pass, std::size_t k, long step, dou
   stored_ += 0.5 * stiffness * depth * depth;
   deepest_ = std::max(deepest_, depth);
   ++touching_;
+  hold.touches = true;
   if (contact_.friction > 0) force = force + rub(bodies, pass, p, hold, at, stiffness, pressing, dt);
   own.force[p] = own.force[p] + force;
   force_ = force_ + (pass.from == 1 ? 1.0 : -1.0) * force;
@@ -202,7 +203,7 @@ void ContactPair::react(Bodies bodies, const Pass& pass, int piece, const Stand&
 /// A point that lifts off slips by all that its friction spring still held.
 void ContactPair::release(Bodies bodies, const Pass& pass, std::size_t p, Hold& hold, double dt) {
   if (dot(hold.pull, hold.pull) > 0) rub(bodies, pass, p, hold, stand(bodies, pass, hold.piece, sides_[pass.from].surface[0].now[p]), kappa_, 0, dt);
-  hold = {};
+  hold = {hold.piece};
 }
 
 }  // namespace femsph

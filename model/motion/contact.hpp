@@ -58,9 +58,10 @@ class ContactPair {
     Party party;
     std::vector<Surface> surface;  ///< one; none of a rigid body
   };
-  /// What a point remembers while it touches: the facet under it, and the stretch of its friction spring.
+  /// What a point remembers from step to step: the piece nearest to it, whether it touches, and the stretch of its friction spring.
   struct Hold {
     int piece = -1;
+    bool touches = false;
     Point stretch{};
     Point pull{};  ///< N, what the spring pulled at the last step
   };

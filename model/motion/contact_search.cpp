@@ -79,6 +79,15 @@ void ContactPair::search(Bodies bodies, Pass& pass) {
     if (boxes.empty()) return;
   }
   const BoxGrid grid(boxes);
+  Bounds near = all;
+  if (!boxes.empty()) {
+    near = boxes[0];
+    for (const Bounds& box : boxes)
+      for (int c = 0; c < 3; ++c) {
+        near.lower[c] = std::min(near.lower[c], box.lower[c]);
+        near.upper[c] = std::max(near.upper[c], box.upper[c]);
+      }
+  }
   for (std::size_t p = 0; p < own.now.size(); ++p) {
     std::vector<int>& list = pass.pieces;
     const std::size_t first = list.size();
@@ -86,6 +95,10 @@ void ContactPair::search(Bodies bodies, Pass& pass) {
       const Stand s = stand(bodies, pass, piece, own.now[p]);
       if (std::abs(s.gap) <= reach && s.beyond <= skin_ + overhang_ && dot(own.area[p], s.normal) < 0) list.push_back(piece);
     };
+    if (!holds(near, own.now[p])) {
+      pass.holds[p] = {};
+      continue;
+    }
     if (other.party.rigid) {
       for (int side = 0; side < bodies.rigid[other.party.index].sides(); ++side) take(side);
     } else {
