@@ -59,9 +59,12 @@ void force(benchmark::State& state, int dim, compare::Method method, double cell
       u[d->layout().at(i, c)] = 1e-6 * std::sin(0.7 * double(i) + c);
       v[d->layout().at(i, c)] = std::cos(0.3 * double(i) + c);
     }
-  AlignedVector<double> other = u;  // a plastic body goes forth and back, a strain of about 1 % each time, so that it yields in every step
-  if (plastic)
-    for (std::size_t i = 0; i < u.size(); ++i) u[i] *= 1e4 * spacing, other[i] = -u[i];
+  AlignedVector<double> other;  // a plastic body goes forth and back, a strain of about 1 % each time, so that it yields in every step
+  if (plastic) {
+    for (double& x : u) x *= 1e4 * spacing;
+    other = u;
+    for (double& x : other) x = -x;
+  }
   for (auto _ : state) {
     if (plastic) std::swap(u, other);
     d->internal_force(u.data(), v.data(), 1e-9, f.data(), g.empty() ? nullptr : g.data());
