@@ -156,7 +156,7 @@ void March::internal_forces(const MovingBody& body, Take&& take) const {
 std::array<bool, 3> March::mirrored_axes(const MovingBody& body) const {
   std::array<bool, 3> axes{};
   for (const Symmetry& s : scene_.symmetries)
-    if (&bodies_[s.place.body] == &body) axes[s.axis()] = true;
+    if (s.place.body == body.index) axes[s.axis()] = true;
   return axes;
 }
 

@@ -84,7 +84,7 @@ void read_supports(Fields& root, Reading& reading) {
     const auto fixed = read_fixed(fields, reading.dim);
     const auto mean = fields.choice<bool>("mode", Need::optional, {{"each", false}, {"mean", true}});
     fields.done();
-    if (place && fixed) reading.scene.supports.push_back({*place, *fixed, mean.value_or(false)});
+    if (place && fixed) reading.scene.supports.push_back({*place, *fixed, {}, mean.value_or(false)});
   }
 }
 

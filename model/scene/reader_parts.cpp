@@ -18,12 +18,20 @@ bool along_an_axis(const Bar& bar) {
   return along > 0 && across <= 1e-9 * along;
 }
 
+/// The body that a table names, unless it is rigid: `what` it cannot have.
+std::optional<std::size_t> read_deformable(Fields& fields, const Reading& reading, const char* what) {
+  const auto body = read_body_of(fields, reading);
+  if (!body || !reading.scene.bodies[*body].rigid) return body;
+  fields.fault("body", fmt::format("body {} is rigid and has no {}; expected a body with a material", in_quotes(reading.scene.bodies[*body].name), what));
+  return {};
+}
+
 }  // namespace
 
 void read_symmetries(Fields& root, Reading& reading) {
   const std::vector<std::string> all = {"x-", "x+", "y-", "y+", "z-", "z+"}, known(all.begin(), all.begin() + (reading.dim == 2 ? 4 : 6));
   for (Fields& fields : root.tables("symmetry")) {
-    const auto body = read_body_of(fields, reading);
+    const auto body = read_deformable(fields, reading, "symmetry planes");
     const auto side = fields.text("at", Need::required, one_of(known));
     const Source source = fields.source("at");
     fields.done();
@@ -43,7 +51,7 @@ void read_bars(Fields& root, Reading& reading) {
   std::vector<std::string> materials;
   for (const auto& [name, material] : reading.scene.materials) materials.push_back(name);
   for (auto& [name, fields] : root.named_tables("bars", Need::optional, "tables such as [bars.bottom]")) {
-    const auto body = read_body_of(fields, reading);
+    const auto body = read_deformable(fields, reading, "bars");
     const auto from = fields.vector("from", Need::required, dimension::length, reading.dim);
     const auto to = fields.vector("to", Need::required, dimension::length, reading.dim);
     const auto area = fields.quantity("area", Need::required, dimension::area, Sign::positive);
