@@ -4,11 +4,8 @@
 // depend on how many threads ran.
 
 #include <cstddef>
+#include <functional>
 #include <vector>
-
-#ifdef _OPENMP
-#include <omp.h>
-#endif
 
 namespace femsph {
 
@@ -16,9 +13,14 @@ namespace femsph {
 int threads();
 void set_threads(int n);
 
-/// Lets every thread treat numbers below 1e-307 as 0. The front of a wave leaves such numbers behind it, and a processor takes
-/// ten times longer over each.
+/// Lets the calling thread treat numbers below 1e-307 as 0 (the loops' own threads always do). The front of a wave leaves such
+/// numbers behind it, and a processor takes ten times longer over each.
 void flush_denormals();
+
+/// Runs task(0) .. task(n - 1) at the same time, one of them on the calling thread, and returns when all are done. The threads stay for the
+/// next call: they look out for it for some microseconds and then sleep, so that a busy machine is not made busier.
+/// Not for use inside a task.
+void run_on_threads(int n, const std::function<void(int)>& task);
 
 /// Below this many particles or cells a loop is not worth a fork.
 inline constexpr std::size_t serial_below = 8192;
@@ -26,23 +28,17 @@ inline constexpr std::size_t serial_below = 8192;
 /// Calls body(begin, end) on ranges that cover [0, n); the borders are multiples of `grain`. An item stands for `weight` particles or cells.
 /// The ranges may depend on the thread count, so body must treat each item on its own.
 template <class Body>
-void parallel_for(std::size_t n, std::size_t grain, Body&& body, [[maybe_unused]] std::size_t weight = 1) {
-#ifdef _OPENMP
-  const int t = n * weight < serial_below ? 1 : threads();
-  if (t > 1) {
-    const std::size_t grains = (n + grain - 1) / grain;
-#pragma omp parallel num_threads(t)
-    {
-      const std::size_t i = static_cast<std::size_t>(omp_get_thread_num()), k = static_cast<std::size_t>(omp_get_num_threads());
-      const std::size_t begin = grains * i / k * grain;
-      const std::size_t end = grains * (i + 1) / k * grain;
-      if (begin < n) body(begin, end < n ? end : n);
-    }
+void parallel_for(std::size_t n, std::size_t grain, Body&& body, std::size_t weight = 1) {
+  const std::size_t t = n * weight < serial_below ? 1 : static_cast<std::size_t>(threads());
+  if (t <= 1) {
+    if (n > 0) body(std::size_t{0}, n);
     return;
   }
-#endif
-  (void)grain;
-  if (n > 0) body(std::size_t{0}, n);
+  const std::size_t grains = (n + grain - 1) / grain;
+  run_on_threads(static_cast<int>(t), [&](int i) {
+    const std::size_t begin = grains * static_cast<std::size_t>(i) / t * grain, end = grains * (static_cast<std::size_t>(i) + 1) / t * grain;
+    if (begin < n) body(begin, end < n ? end : n);
+  });
 }
 
 /// Sum of body(begin, end) over fixed chunks of [0, n), added in chunk order: the same to the last bit for any thread count.

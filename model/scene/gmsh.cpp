@@ -3,7 +3,6 @@
 
 #include <fmt/format.h>
 #include <gmsh.h>
-#include <omp.h>
 
 #include <algorithm>
 #include <cmath>
@@ -23,10 +22,10 @@ constexpr int gmsh_line = 1, gmsh_quad = 3, gmsh_hex = 5;
 // Place of Gmsh's vertices, which go around a face, in lexicographic order.
 constexpr std::array<int, 8> around_to_lexicographic = {0, 1, 3, 2, 4, 5, 7, 6};
 
-// Gmsh is one global state: open it, keep it silent, and leave the program as it was, the number of OpenMP threads included.
+// Gmsh is one global state: open it, keep it silent, and close it again.
 class GmshSession {
  public:
-  GmshSession() : threads_(omp_get_max_threads()) {
+  GmshSession() {
     gmsh::initialize(0, nullptr, false);
     gmsh::option::setNumber("General.Terminal", 0);
   }
@@ -35,13 +34,9 @@ class GmshSession {
       gmsh::finalize();
     } catch (...) {  // nothing to save: the mesh has been copied, or is being refused
     }
-    omp_set_num_threads(threads_);
   }
   GmshSession(const GmshSession&) = delete;
   GmshSession& operator=(const GmshSession&) = delete;
-
- private:
-  int threads_;
 };
 
 struct Block {
