@@ -121,7 +121,7 @@ void one_claim(Fields& fields, StudyReading& reading, const std::vector<Row>& pl
   claim.source = fields.text("source", Need::required, "where the paper says it, such as \"fig 5\"").value_or("");
   claim.text = fields.text("text", Need::required, "the claim in words").value_or("");
   claim.note = fields.text("note", Need::optional).value_or("");
-  claim.reference = fields.choice<Reference>("reference", Need::optional, {{"theory", Reference::theory}, {"limit", Reference::limit}})
+  claim.reference = fields.choice<Reference>("reference", Need::optional, {{"theory", Reference::theory}, {"limit", Reference::limit}, {"value", Reference::value}})
                         .value_or(Reference::theory);
   const auto kind = fields.choice<Kind>("kind", Need::required,
                                         {{"value", Kind::value},

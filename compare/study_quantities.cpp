@@ -25,7 +25,7 @@ const std::vector<std::pair<std::string, Reduce>> reductions = {{"final", Reduce
                                                                 {"excess", Reduce::excess}};
 const std::vector<std::pair<std::string, SignRule>> signs = {
     {"as-is", SignRule::as_is}, {"reversed", SignRule::reversed}, {"magnitude", SignRule::magnitude}};
-const std::vector<std::string> energies = {"kinetic_energy", "strain_energy", "hourglass_energy", "external_work", "damping_loss", "viscosity_loss", "plastic_work"};
+const std::vector<std::string> energies = {"kinetic_energy", "strain_energy", "hourglass_energy", "external_work", "damping_loss", "viscosity_loss", "plastic_work", "contact_energy", "friction_loss"};
 const std::vector<std::string> scalars = {"surface_weight_loss"};
 
 bool of_section(Reduce reduce) {
