@@ -93,7 +93,8 @@ class LatticeStencils {
   };
   static int pattern_of(const Slot& s) {
     int p = 0;
-    for (int a = 0; a < dim; ++a) p |= (s.w[a] != 0) << a;
+    for (int a = 0; a < dim; ++a)
+      if (s.w[a] != 0) p |= 1 << a;
     return p;
   }
   static int group_of(const Slot& s) { return 2 * pattern_of(s) + (s.mask != all_lanes); }
