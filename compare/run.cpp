@@ -152,10 +152,10 @@ RunResult run_scene(const Scene& scene, const Method& method, const Resolution& 
   r.price = march.price();
   r.settled = march.settled();
   r.derived = derived_values(march);
-  if (const auto* options_of_sph = std::get_if<sph::Options>(&method.options)) {
+  if (const auto* options_of_sph = std::get_if<sph::Options>(&method.options); options_of_sph && options.scalars) {
     sph::Options o = *options_of_sph;
     o.spacing = march.bodies()[0].discretization->spacing();
-    r.scalars["surface_weight_loss"] = sph::surface_weight_loss(scene, 0, o);
+    r.scalars["surface_weight_loss"] = sph::surface_weight_loss(scene, march.bodies()[0].index, o);
   }
   for (const MovingBody& body : march.bodies()) r.points += body.discretization->layout().points;
   const Shape& first = *scene.bodies[march.bodies()[0].index].shape;

@@ -40,6 +40,7 @@ struct RunOptions {
   bool fields = true;                 ///< with a folder: fields too
   std::string label;                  ///< of the progress line
   std::string command;                ///< for the record
+  bool scalars = false;               ///< fill RunResult::scalars, which costs a second look at the discretization
 };
 
 struct RunResult {

@@ -120,6 +120,7 @@ void make_run(const Study& study, const PlannedRun& run, const Engine& engine, c
   run_options.march = run.march;
   run_options.label = fmt::format("{} {} {}", study.name, run.case_name, run.label);
   run_options.command = options.command;
+  run_options.scalars = std::any_of(study.quantities.begin(), study.quantities.end(), [](const QuantitySpec& q) { return !q.observed.scalar.empty(); });
   std::optional<RunResult> result;
   std::string failure;
   try {
