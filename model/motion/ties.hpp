@@ -14,6 +14,7 @@
 #include <string>
 #include <vector>
 
+#include "model/motion/archive.hpp"
 #include "model/motion/surface.hpp"
 
 namespace femsph {
@@ -39,6 +40,7 @@ class Ties {
   };
   const std::vector<Bond>& bonds() const { return bonds_; }
   double taken() const { return taken_; }  ///< J: minus the work of the forces so far; round-off where g0 = 0
+  void state(Archive& archive) { archive("force", force_), archive("taken", taken_); }
   /// Calls take(point, force) for the force on each point of deformable body `index`.
   template <class Take>
   void each_force(std::size_t index, Take&& take) const {

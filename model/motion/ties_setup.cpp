@@ -50,9 +50,11 @@ void Ties::tie(const Scene& scene, const Contact& contact, const std::vector<Mov
   std::array<std::size_t, 2> party{};
   std::vector<Surface> surfaces;
   std::array<double, 2> impedance{};
+  std::array<const MovingBody*, 2> moving{};
   for (int s = 0; s < 2; ++s) {
     const auto found = std::find_if(bodies.begin(), bodies.end(), [&](const MovingBody& body) { return body.index == contact.between[s]; });
     party[s] = std::size_t(found - bodies.begin());
+    moving[s] = &*found;
     const double density = scene.material_of(scene.bodies[found->index]).density;
     surfaces.emplace_back(*found, density, dim_ == 2 ? scene.bodies[found->index].thickness : 1.0);
     impedance[s] = density * found->discretization->wave_speed();
@@ -90,6 +92,10 @@ void Ties::tie(const Scene& scene, const Contact& contact, const std::vector<Mov
       for (int c = 0; c < t.corners; ++c) t.facet[c] = node(bodies, bond.onto, facets.point[facets.facets[std::size_t(piece)].points[c]]);
       differentiate(t.share, dim_, t.along, t.across);
       ties_.push_back(t);
+      Point apart = points.displacement(*moving[mine], p);
+      for (int c = 0; c < t.corners; ++c) apart = apart - t.share[c] * facets.displacement(*moving[1 - mine], facets.facets[std::size_t(piece)].points[c]);
+      if (norm(apart) > 1e-3 * spacing)
+        refuse(scene, contact, fmt::format("the displacements at the start part its two bodies by {:.4g} mm at ({:.6g}, {:.6g}, {:.6g}) m; expected the same for both", 1e3 * norm(apart), x[0], x[1], x[2]));
     }
     bond.end = ties_.size();
     if (bond.end > bond.begin) break;
