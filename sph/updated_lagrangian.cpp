@@ -2,6 +2,7 @@
 // paper). Strain increments are taken at the middle of the step, x(n) - dt/2 v(n-1/2), and the spin turns the stress by
 // (I - W/2)^-1 (I + W/2) (Hughes & Winget 1980), so that a turn adds no stress of its own.
 
+#include <algorithm>
 #include <cmath>
 
 #include "model/material/law.hpp"
@@ -93,6 +94,7 @@ class UpdatedLagrangian final : public ParticleBody {
     place(u);
     if (neighbours_stale()) search();
     if (dt > 0) advance_stress(v, dt);
+    else if (std::any_of(u, u + layout_.size, [](double x) { return x != 0; })) advance_stress(u, 1.0);  // an initial displacement, as one step
     if (viscous) pair_forces<true>(v, f, viscous);
     else pair_forces<false>(v, f, viscous);
   }
