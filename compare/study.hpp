@@ -53,6 +53,8 @@ struct QuantitySpec {
   std::optional<std::string> theory;  ///< name of a theory value
   std::optional<double> reference;    ///< in its place: a number, in the unit and sign of the table
   std::optional<std::string> scene;   ///< only of runs of that scene
+  std::vector<std::string> methods;   ///< only of runs with these labels; empty: all
+  bool is_of(const PlannedRun& run) const;
 };
 
 /// A number that the paper reports.

@@ -172,6 +172,7 @@ void one_quantity(Fields& fields, StudyReading& reading) {
   QuantitySpec quantity;
   quantity.name = fields.text("name", Need::required, "a name for the tables").value_or("");
   quantity.scene = read_scene_name(fields, reading.study);
+  quantity.methods = read_names(fields, "methods", method_labels(reading.study), "method");
   const auto reduce = fields.choice<Reduce>("reduce", Need::optional, reductions);
   quantity.reduce = reduce.value_or(Reduce::final);
   const std::string si = quantity.reduce == Reduce::frequency ? "Hz" : quantity.reduce == Reduce::period ? "s" : quantity.reduce == Reduce::l2 ? "1" : quantity.reduce == Reduce::moment ? "N m" : "";

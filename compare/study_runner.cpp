@@ -86,7 +86,7 @@ std::vector<Row> rows_of(const Study& study, const PlannedRun& run, const RunRes
   const Scene& scene = study.scenes.at(run.scene);
   std::vector<Row> rows;
   for (const QuantitySpec& quantity : study.quantities) {
-    if (quantity.scene && *quantity.scene != run.scene) continue;
+    if (!quantity.is_of(run)) continue;
     Row row = row_of(study, run, quantity);
     row.failure = failure;
     add_drift(result ? *result : partial, row);
@@ -129,7 +129,7 @@ void make_run(const Study& study, const PlannedRun& run, const Engine& engine, c
   run_options.label = fmt::format("{} {} {}", study.name, run.case_name, run.label);
   run_options.command = options.command;
   for (const QuantitySpec& q : study.quantities)
-    if (!q.observed.scalar.empty() && (!q.scene || *q.scene == run.scene)) run_options.scalars.insert(q.observed.scalar);
+    if (!q.observed.scalar.empty() && q.is_of(run)) run_options.scalars.insert(q.observed.scalar);
   if (!study.bounds.empty()) run_options.scalars.insert("energy_drift");
   RunResult partial;
   run_options.partial = &partial;
