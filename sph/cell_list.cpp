@@ -27,7 +27,6 @@ void CellList::build(const std::vector<Point>& points, int dim, double radius) {
   std::vector<int> cell_of(points.size());
   begin_.assign(std::size_t(count_[0]) * std::size_t(count_[1]) * std::size_t(count_[2]) + 1, 0);
   for (std::size_t i = 0; i < points.size(); ++i) ++begin_[std::size_t(cell_of[i] = int(index(points[i]))) + 1];
-  fullest_ = *std::max_element(begin_.begin(), begin_.end());
   for (std::size_t c = 1; c < begin_.size(); ++c) begin_[c] += begin_[c - 1];
   items_.resize(points.size());
   for (int a = 0; a < dim; ++a) sorted_[a].resize(points.size());
@@ -37,6 +36,19 @@ void CellList::build(const std::vector<Point>& points, int dim, double radius) {
     items_[slot] = int(i);
     for (int a = 0; a < dim; ++a) sorted_[a][slot] = points[i][a];
   }
+}
+
+int CellList::fullest() const {
+  int most = 0;
+  for (std::size_t c = 1; c < begin_.size(); ++c) most = std::max(most, begin_[c] - begin_[c - 1]);
+  return most;
+}
+
+int CellList::one_of_fullest() const {
+  const int most = fullest();
+  std::size_t c = 1;
+  while (begin_[c] - begin_[c - 1] < most) ++c;
+  return items_[std::size_t(begin_[c - 1])];
 }
 
 int CellList::place(const Point& p, int a) const {

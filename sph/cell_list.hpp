@@ -44,7 +44,8 @@ class CellList {
 
   const std::vector<int>& items() const { return items_; }                ///< sorted by cell
   const std::vector<double>& sorted(int axis) const { return sorted_[axis]; }  ///< their coordinates
-  int fullest() const { return fullest_; }                                ///< most points in one cell
+  int fullest() const;                                                    ///< most points in one cell
+  int one_of_fullest() const;                                             ///< one of these points
   std::size_t bytes() const { return (begin_.size() + items_.size()) * sizeof(int) + std::size_t(dim_) * items_.size() * sizeof(double); }
 
  private:
@@ -64,7 +65,7 @@ class CellList {
     return std::size_t(place(p, 0)) + std::size_t(count_[0]) * (std::size_t(place(p, 1)) + std::size_t(count_[1]) * std::size_t(place(p, 2)));
   }
 
-  int dim_ = 2, fullest_ = 0;
+  int dim_ = 2;
   double cell_ = 1;
   Point lower_{};
   std::array<int, 3> count_{1, 1, 1};

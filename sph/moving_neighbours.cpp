@@ -76,7 +76,7 @@ void MovingNeighbours::search(const double* u) {
   if (first) fullest_at_start_ = cells_.fullest();
   // Particles that fall on one heap would ask for lists of all pairs: the lists stay as they are, for a run that has to stop.
   if (cells_.fullest() > 6 * fullest_at_start_ + 32) {
-    crowded_ = true;
+    crowded_ = std::size_t(cells_.one_of_fullest());
     return;
   }
   near_.resize(n);
@@ -86,6 +86,18 @@ void MovingNeighbours::search(const double* u) {
   }, blocks_in_chunk * lanes);
   if (first) near_at_start_ = near_;
   look_for_losses();
+}
+
+void MovingNeighbours::state(Archive& archive) {
+  archive("lists searched at", searched_);
+  archive("neighbours at start", near_at_start_);
+  archive("fullest cell at start", fullest_at_start_);
+  archive("searches", searches_);
+  if (!archive.restoring() || searched_.empty()) return;
+  crowded_.reset();
+  const AlignedVector<double> at = searched_;
+  --searches_;
+  search(at.data());
 }
 
 void MovingNeighbours::fill(std::size_t chunk) {
@@ -110,7 +122,7 @@ void MovingNeighbours::fill(std::size_t chunk) {
 
 std::size_t MovingNeighbours::list(std::size_t particle, std::vector<std::int32_t>& out, std::uint16_t& near) const {
   const Point& at = position_[particle];
-  const double far2 = (radius_ + skin_) * (radius_ + skin_), near2 = radius_ * radius_;
+  const double far2 = (radius_ + skin_) * (radius_ + skin_), near2 = radius_ * radius_ * (1 - 1e-9);
   const double *x = cells_.sorted(0).data(), *y = cells_.sorted(1).data(), *z = layout_.dim == 3 ? cells_.sorted(2).data() : nullptr;
   std::size_t count = 0, within = 0;
   cells_.runs(at, [&](int first, int last) {

@@ -24,10 +24,9 @@ class MovingNeighbours {
   void update(const double* u) {
     if (stale(u)) search(u);
   }
-  /// Lists as they were searched at the displacement that `searched_at` holds.
-  void search(const double* u);
-  const AlignedVector<double>& searched_at() const { return searched_; }
   long searches() const { return searches_; }
+  /// The lists follow from where they were searched.
+  void state(Archive& archive);
 
   /// Calls body(block, first, last) for every block; its neighbours are indices(k), k = first .. last - 1. A lane with fewer neighbours than
   /// others looks at itself.
@@ -49,7 +48,8 @@ class MovingNeighbours {
     std::size_t alone;  ///< how many particles are in this state
   };
   const std::optional<Loss>& loss() const { return loss_; }
-  bool crowded() const { return crowded_; }
+  bool crowded() const { return crowded_.has_value(); }
+  std::size_t fullest() const { return *crowded_; }  ///< one of the heap
 
  private:
   static constexpr std::size_t blocks_in_chunk = 64;
@@ -57,6 +57,7 @@ class MovingNeighbours {
     AlignedVector<std::int32_t> index;  ///< [neighbour][lane], block after block
     std::vector<std::uint32_t> begin;   ///< of each block
   };
+  void search(const double* u);
   bool stale(const double* u) const;
   void fill(std::size_t chunk);
   std::size_t list(std::size_t particle, std::vector<std::int32_t>& out, std::uint16_t& near) const;
@@ -72,7 +73,7 @@ class MovingNeighbours {
   std::vector<std::uint16_t> near_, near_at_start_;  ///< neighbours within the kernel's radius
   int fullest_at_start_ = 0;
   long searches_ = 0;
-  bool crowded_ = false;
+  std::optional<std::size_t> crowded_;
   std::optional<Loss> loss_;
 };
 

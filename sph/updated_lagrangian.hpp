@@ -5,6 +5,10 @@
 //   1  L_i = dt sum_j V_j (v_j - v_i) (x) grad_i W_ij;  turn; law;  V_i *= 1 + tr L_i
 //   2  f_i = V_i sum_j V_j (sigma_i + sigma_j) grad_i W_ij,  equal and opposite within each pair
 
+#include <fmt/format.h>
+
+#include <algorithm>
+
 #include "model/material/law.hpp"
 #include "sph/discretize.hpp"
 #include "sph/jaumann.hpp"
@@ -66,11 +70,21 @@ class UpdatedLagrangian final : public ParticleBody {
   void internal_force(const double* u, const double* v, double dt, double* f, double* viscous) override {
     neighbours_.update(u);
     const bool wendland = kernel_.kind() == KernelKind::wendland_c2;
-    if (dt > 0) wendland ? advance<WendlandC2>(u, v, dt) : advance<CubicSpline>(u, v, dt);
-    else lay_down_forces(u, v);
+    const auto step = [&](const double* rate, double time) { wendland ? advance<WendlandC2>(u, rate, time) : advance<CubicSpline>(u, rate, time); };
+    if (dt > 0) step(v, dt);
+    else if (std::any_of(u, u + layout_.size, [](double x) { return x != 0; })) step(u, 1.0);  // an initial displacement, as one step
+    lay_down_forces(u, v);
     if (viscous) wendland ? pair_forces<WendlandC2, true>(f, viscous) : pair_forces<CubicSpline, true>(f, viscous);
     else wendland ? pair_forces<WendlandC2, false>(f, viscous) : pair_forces<CubicSpline, false>(f, viscous);
   }
+
+  /// The lists are part of what a run goes on from: searched again at another place, the sums would be taken in another order.
+  void state(Archive& archive) override {
+    archive("material", state_);
+    archive("volume", volume_);
+    neighbours_.state(archive);
+  }
+  std::optional<Trouble> trouble(const double* u) const override;
 
   void material_state(const double*, std::span<const std::size_t> points, MaterialState& out) const override {
     out.stress.assign(points.size(), {});
@@ -152,7 +166,6 @@ class UpdatedLagrangian final : public ParticleBody {
       for (int r = 0; r < dim; ++r)
         for (int c = 0; c < dim; ++c) L[r][c] *= factor;
       advance_block(block, L);
-      lay_down_forces(block, u, v);
     });
   }
 
@@ -180,18 +193,17 @@ class UpdatedLagrangian final : public ParticleBody {
     store(&volume_[block * lanes], before * (1.0 + trace(D)));
   }
 
-  FEMSPH_INLINE void lay_down_forces(std::size_t block, const double* u, const double* v) {
-    Pack own[ForceRecords::fields] = {};
-    for (int c = 0; c < dim; ++c) {
-      own[place + c] = load<Pack>(&start_[slot(block, c)]) + load<Pack>(u + slot(block, c));
-      own[speed + c] = load<Pack>(v + slot(block, c));
-    }
-    own[measure] = volume(block);
-    for (int k = 0; k < n; ++k) own[cauchy + k] = state(block)[stress + k];
-    forces_.store_block(block, own);
-  }
   void lay_down_forces(const double* u, const double* v) {
-    for_blocks([&](std::size_t block) { lay_down_forces(block, u, v); });
+    for_blocks([&](std::size_t block) {
+      Pack own[ForceRecords::fields] = {};
+      for (int c = 0; c < dim; ++c) {
+        own[place + c] = load<Pack>(&start_[slot(block, c)]) + load<Pack>(u + slot(block, c));
+        own[speed + c] = load<Pack>(v + slot(block, c));
+      }
+      own[measure] = volume(block);
+      for (int k = 0; k < n; ++k) own[cauchy + k] = state(block)[stress + k];
+      forces_.store_block(block, own);
+    });
   }
 
   template <class Spline, bool with_viscosity>
@@ -240,5 +252,21 @@ class UpdatedLagrangian final : public ParticleBody {
   MotionRecords motion_;
   ForceRecords forces_;
 };
+
+template <int dim, class LawType>
+std::optional<Trouble> UpdatedLagrangian<dim, LawType>::trouble(const double* u) const {
+  const auto place = [&](std::size_t i) {
+    Point x = particles_.position[i];
+    for (int c = 0; c < dim; ++c) x[std::size_t(c)] += u[layout_.at(i, c)];
+    return x;
+  };
+  if (neighbours_.crowded())
+    return Trouble{"particles have fallen on one heap, more than six times as dense as they began", "the motion has lost its meaning before: try a smaller --safety", place(neighbours_.fullest())};
+  const auto& loss = neighbours_.loss();
+  if (!loss) return std::nullopt;
+  return Trouble{fmt::format("particle {} has lost its neighbours: {} of {} are left{}", loss->particle, loss->neighbours, loss->at_start,
+                             loss->alone > 1 ? fmt::format(", and {} particles more are so", loss->alone - 1) : ""),
+                 "classic SPH tears under tension by itself (tensile instability): the corrected formulation, or a larger --smoothing, keeps the body whole", place(loss->particle)};
+}
 
 }  // namespace femsph::sph

@@ -210,6 +210,33 @@ TEST(UpdatedLagrangian, DoesNotDependOnTheThreads) {
   EXPECT_EQ(force_of[0], force_of[1]);
 }
 
+// A run taken up again goes on to the last bit, wherever its lists were searched.
+TEST(UpdatedLagrangian, GoesOnFromASavedState) {
+  Scene scene = box_scene(Plane::strain, {0.3, 0.2, 0}, true);
+  scene.materials.at("steel").plasticity = Plasticity{300e6, 2.1e9};
+  sph::Options options = classic(0.01, sph::MassRule::share);
+  options.viscosity = {1, 1, 1};
+  const auto whole = sph::discretize(scene, 0, options), later = sph::discretize(scene, 0, options);
+  AlignedVector<double> f(whole->layout().size, 0.0), g = f, F = f, G = f, before = swirl(*whole, 0);
+  for (int k = 0; k <= 60; ++k) {
+    const AlignedVector<double> u = swirl(*whole, 0.02 * k);
+    AlignedVector<double> v = u;
+    for (std::size_t i = 0; i < v.size(); ++i) v[i] = (u[i] - before[i]) / 1e-6;
+    before = u;
+    whole->internal_force(u.data(), v.data(), k == 0 ? 0 : 1e-6, f.data(), g.data());
+    if (k > 23) later->internal_force(u.data(), v.data(), 1e-6, F.data(), G.data());
+    if (k == 23) {
+      MemoryArchive saved;
+      saved.save(*whole);
+      saved.restore(*later);
+    }
+  }
+  EXPECT_GT(whole->dissipated_energy(nullptr), 0);
+  EXPECT_EQ(whole->dissipated_energy(nullptr), later->dissipated_energy(nullptr));
+  EXPECT_EQ(f, F);
+  EXPECT_EQ(g, G);
+}
+
 /// Scattered points: most in a box, some far, some very far, some nowhere.
 std::vector<Point> scattered(std::size_t count, int dim, double far) {
   std::mt19937 random(5);
@@ -342,6 +369,27 @@ TEST(UpdatedLagrangian, SurvivesPositionsThatAreNoNumbers) {
     }
     EXPECT_LT(d->bytes(), 3 * bytes) << wild;
   }
+}
+
+TEST(UpdatedLagrangian, TellsOfParticlesItCannotFollow) {
+  const Scene scene = box_scene(Plane::stress, {0.4, 0.3, 0}, true);
+  const auto d = sph::discretize(scene, 0, classic(0.01, sph::MassRule::share));
+  AlignedVector<double> u(d->layout().size, 0.0), f = u;
+  const auto go = [&] {
+    d->internal_force(u.data(), f.data(), 0, f.data(), nullptr);
+    return d->trouble(u.data());
+  };
+  EXPECT_FALSE(go());
+  u[d->layout().at(40, 0)] = 0.5;  // the corner flies off
+  const auto loss = go();
+  ASSERT_TRUE(loss);
+  EXPECT_NE(loss->what.find("particle 40 has lost its neighbours: 0 of 3 are left"), std::string::npos) << loss->what;
+  EXPECT_NEAR(loss->position[0], 0.91, 1e-12);
+  for (std::size_t i = 0; i < d->layout().points; ++i)
+    for (int c = 0; c < 2; ++c) u[d->layout().at(i, c)] = -d->position(i)[std::size_t(c)];
+  const auto heap = go();
+  ASSERT_TRUE(heap);
+  EXPECT_NE(heap->what.find("one heap"), std::string::npos);
 }
 
 }  // namespace
