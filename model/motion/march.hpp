@@ -11,6 +11,7 @@
 #include "model/motion/contact.hpp"
 #include "model/motion/discretization.hpp"
 #include "model/motion/ledger.hpp"
+#include "model/motion/ties.hpp"
 #include "model/numerics/array.hpp"
 #include "model/results/price.hpp"
 
@@ -31,6 +32,13 @@ struct MovingBody {
     std::size_t load;   ///< index into Scene::loads
   };
   std::vector<NodalLoad> loads;
+  /// A held component that moves as its support says.
+  struct Driven {
+    std::size_t slot;
+    double velocity;      ///< m/s at factor 1
+    std::size_t support;  ///< index into Scene::supports
+  };
+  std::vector<Driven> driven;
   /// A component whose weighted mean over a place is held at zero: sum_i w_i u_i = 0, by the forces R w_i.
   struct MeanHold {
     std::vector<std::size_t> slots;
@@ -75,6 +83,9 @@ class March {
   const MovingBody& body(std::size_t index) const;                   ///< by its index in Scene::bodies; it deforms
   const std::vector<RigidBody>& rigid_bodies() const { return rigid_; }
   const std::vector<ContactPair>& contacts() const { return contacts_; }
+  const Ties& ties() const { return ties_; }
+  /// N, of each contact's first body on its second, now, in the order of the scene.
+  std::vector<Point> contact_forces() const;
   long step() const { return step_; }
   double time() const { return double(step_) * dt_; }
   double dt() const { return dt_; }
@@ -100,6 +111,8 @@ class March {
   void hold_means(MovingBody& body);  ///< adds the reactions of mean supports to the forces
   void start_velocities();
   void forces();            ///< gradient, law, divergence of every body; then loads and gravity
+  void drive(MovingBody& body, double middle);  ///< moves the driven supports by the step about the time `middle`
+  void count_driven_work(); ///< half a step's work of the reactions there, at the forces of now
   void kick_and_drift();    ///< v += dt f/m, u += dt v, with whichever damping is on
   void move_rigid_bodies();
   void watch();             ///< now and then: has it settled, is it still sound, how strong should the damping be
@@ -119,6 +132,7 @@ class March {
   std::vector<MovingBody> bodies_;
   std::vector<RigidBody> rigid_;
   std::vector<ContactPair> contacts_;
+  Ties ties_;
   double critical_ = 0, critical_alone_ = 0, dt_ = 0;
   double damping_rate_ = 0;      ///< c, 1/s
   bool adaptive_damping_ = false, kinetic_damping_ = false, settled_ = false;
