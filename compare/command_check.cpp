@@ -47,6 +47,7 @@ std::string effects_off(const Scene& scene) {
   off(!scene.bars.empty(), "bars");
   off(scene.is_plastic(), "plasticity");
   off(!scene.initial_velocities.empty(), "initial velocity");
+  off(!scene.initial_displacements.empty(), "initial displacement");
   off(!scene.contacts.empty(), "contact");
   off(scene.gravity.has_value(), "gravity");
   off(scene.damping.has_value(), "damping");

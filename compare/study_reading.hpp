@@ -23,6 +23,7 @@ void read_quantities(Fields& root, StudyReading& reading);  // study_quantities.
 void read_series(Fields& root, StudyReading& reading);
 void read_paper(Fields& root, StudyReading& reading);  // study_claims.cpp
 void read_claims(Fields& root, StudyReading& reading);
+void read_bounds(Fields& root, StudyReading& reading);  // study_bounds.cpp: [[bounds]] and [[expectations]]
 
 void read_prices(Fields& root, StudyReading& reading);  // study_prices.cpp
 

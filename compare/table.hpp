@@ -21,6 +21,7 @@ struct Row {
   std::optional<double> dof, memory_mb, total_cpu_s, total_cpu_min_s, total_cpu_max_s, repeats;
   std::optional<bool> settled;
   std::string failure;  ///< why there is no value
+  std::optional<double> energy_drift, momentum_drift, angular_momentum_drift, hourglass_share;  ///< shares of 1; of studies with bounds
   int ladder = 0;       ///< rows of one ladder of spacings share it; not written
   std::string scene;    ///< not written
   std::optional<double> units;                ///< particles or elements; not written

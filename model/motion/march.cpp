@@ -27,6 +27,7 @@ void March::run(const MarchEvents& events) {
     {
       forces();
       if (step_ == 0) start_velocities();
+      else count_driven_work();
       if (kinetic_damping_) stop_at_kinetic_peak();
       if (step_ % watch_every_ == 0) watch();
     }
@@ -144,6 +145,7 @@ void March::kick_and_drift() {
     else if (damped) advance<true, false>(body, dt_, damping_rate_, damping_loss_, viscous_loss_);
     else if (viscous) advance<false, true>(body, dt_, 0, damping_loss_, viscous_loss_);
     else advance<false, false>(body, dt_, 0, damping_loss_, viscous_loss_);
+    if (!body.driven.empty()) drive(body, 0.5 * (now + next));
     for (const MovingBody::NodalLoad& load : body.loads) {
       const TimeHistory& h = scene_.loads[load.load].history;
       external_work_ += load.force * 0.5 * (h.at(now) + h.at(next)) * dt_ * body.v[load.slot];
@@ -158,7 +160,24 @@ void March::kick_and_drift() {
         });
     }
   }
+  count_driven_work();
   move_rigid_bodies();
+}
+
+void March::drive(MovingBody& body, double middle) {
+  for (const MovingBody::Driven& d : body.driven) {
+    const double velocity = d.velocity * scene_.supports[d.support].history.at(middle);
+    body.u[d.slot] += dt_ * (velocity - body.v[d.slot]);  // the kick has moved it by the velocity of the step before
+    body.v[d.slot] = velocity;
+  }
+}
+
+/// The reaction of a driven support is what balances every other force there (its points have no inertia in the ledger). Over a step its
+/// work is -1/2 dt v(n+1/2) (f(n) + f(n+1)): the first half is counted after the drift, the second with the next forces.
+void March::count_driven_work() {
+  for (const MovingBody& body : bodies_)
+    for (const MovingBody::Driven& d : body.driven)
+      external_work_ -= 0.5 * dt_ * body.v[d.slot] * (body.f[d.slot] + (body.viscous.empty() ? 0.0 : body.viscous[d.slot]));
 }
 
 // With v+ - v- = dt (f/m - c vbar) + dt g/m, the energy 1/2 v-.M v+ changes from step n to n + 1 by

@@ -31,6 +31,13 @@ struct MovingBody {
     std::size_t load;   ///< index into Scene::loads
   };
   std::vector<NodalLoad> loads;
+  /// A held component that moves as its support says.
+  struct Driven {
+    std::size_t slot;
+    double velocity;      ///< m/s at factor 1
+    std::size_t support;  ///< index into Scene::supports
+  };
+  std::vector<Driven> driven;
   /// A component whose weighted mean over a place is held at zero: sum_i w_i u_i = 0, by the forces R w_i.
   struct MeanHold {
     std::vector<std::size_t> slots;
@@ -100,6 +107,8 @@ class March {
   void hold_means(MovingBody& body);  ///< adds the reactions of mean supports to the forces
   void start_velocities();
   void forces();            ///< gradient, law, divergence of every body; then loads and gravity
+  void drive(MovingBody& body, double middle);  ///< moves the driven supports by the step about the time `middle`
+  void count_driven_work(); ///< half a step's work of the reactions there, at the forces of now
   void kick_and_drift();    ///< v += dt f/m, u += dt v, with whichever damping is on
   void move_rigid_bodies();
   void watch();             ///< now and then: has it settled, is it still sound, how strong should the damping be

@@ -62,6 +62,27 @@ void March::place_supports_and_loads(MovingBody& body, std::size_t index) {
       for (int c = 0; c < at.dim; ++c)
         if (support.fixed[c]) body.inverse_mass[at.at(w.point, c)] = 0;
   }
+  for (std::size_t s = 0; s < scene_.supports.size(); ++s) {
+    const Support& support = scene_.supports[s];
+    if (support.place.body != index || support.velocity == Point{}) continue;
+    for (const Weight& w : points_of(support.place, "support"))
+      for (int c = 0; c < at.dim; ++c) {
+        if (support.velocity[c] == 0) continue;
+        const std::size_t slot = at.at(w.point, c);
+        for (const MovingBody::Driven& other : body.driven)
+          if (other.slot == slot)
+            throw MotionError(fmt::format("{}:{}:{}: two supports move a point of body \"{}\" along {}; keep their places apart", scene_.file,
+                                          support.place.source.line, support.place.source.column, body.name, "xyz"[c]));
+        body.driven.push_back({slot, support.velocity[c], s});
+        if (!body.mass.empty()) body.mass[slot] = 0;  // nor does damping hold it back
+      }
+  }
+  for (const InitialDisplacement& start : scene_.initial_displacements)
+    if (start.body == index)
+      for (std::size_t i = 0; i < at.points; ++i) {
+        const Point u = start.at(d.position(i));
+        for (int c = 0; c < at.dim; ++c) body.u[at.at(i, c)] = u[c];
+      }
   for (const Support& support : scene_.supports)
     if (support.place.body == index && support.mean) place_mean_support(body, support, points_of(support.place, "support"));
   for (std::size_t l = 0; l < scene_.loads.size(); ++l) {
@@ -100,12 +121,11 @@ void March::start_velocities() {
     const Layout& at = body.discretization->layout();
     for (const InitialVelocity& start : scene_.initial_velocities)
       if (start.body == body.index)
-        for (std::size_t i = 0; i < at.points; ++i)
-          for (int c = 0; c < at.dim; ++c) {
-            const std::size_t slot = at.at(i, c);
-            if (body.inverse_mass[slot] == 0) continue;
-            body.v[slot] = start.velocity[c];
-          }
+        for (std::size_t i = 0; i < at.points; ++i) {
+          const Point v = start.at(body.discretization->position(i));
+          for (int c = 0; c < at.dim; ++c)
+            if (const std::size_t slot = at.at(i, c); body.inverse_mass[slot] != 0) body.v[slot] += v[c];
+        }
     for (const MovingBody::MeanHold& hold : body.means) {  // a held mean starts at rest
       double sum = 0;
       for (std::size_t k = 0; k < hold.slots.size(); ++k) sum += hold.weights[k] * body.v[hold.slots[k]];
@@ -119,11 +139,18 @@ void March::start_velocities() {
   }
   for (RigidBody& body : rigid_) {
     for (const InitialVelocity& start : scene_.initial_velocities)
-      if (start.body == body.index) body.velocity = start.velocity;
+      if (start.body == body.index) {
+        const Point v = start.at(body.centre());
+        for (int c = 0; c < 3; ++c) body.velocity[c] += v[c], body.spin[c] += body.inertia[c] * start.spin[c];
+      }
     body.start_from(keep, push);
   }
   const Kinetic k = kinetic();
   initial_energy_ = k.energy;
+  if (!scene_.initial_displacements.empty()) {  // what bringing the bodies there has stored and dissipated
+    const Ledger l = ledger();
+    initial_energy_ += l.strain + l.hourglass + l.plastic;
+  }
   start_damping_ = k.damping;
   start_viscosity_ = k.viscosity;
 }

@@ -48,6 +48,7 @@ Scene parse_scene(const std::string& text, const std::string& file) {
   read_bars(root, reading);
   read_loads(root, reading);
   read_initial_velocities(root, reading);
+  read_initial_displacements(root, reading);
   read_contacts(root, reading);
   read_gravity(root, reading);
   read_damping(root, reading);

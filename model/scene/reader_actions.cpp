@@ -1,4 +1,4 @@
-// What acts on the bodies of a scene: supports, loads, initial velocities, gravity, damping, settling.
+// What acts on the bodies of a scene: supports, loads, gravity, damping, settling.
 
 #include <fmt/format.h>
 
@@ -64,12 +64,16 @@ std::optional<TimeHistory> read_history(Fields& load) {
   return read;
 }
 
-bool is_zero(const Point& p) { return p[0] == 0 && p[1] == 0 && p[2] == 0; }
+bool is_zero(const Point& p) { return p == Point{}; }
+bool is_zero(const Matrix& m) { return m == Matrix{}; }
 
 bool something_moves(const Scene& scene) {
   return (scene.gravity && !is_zero(*scene.gravity)) ||
          std::any_of(scene.loads.begin(), scene.loads.end(), [](const Load& load) { return !is_zero(load.force); }) ||
-         std::any_of(scene.initial_velocities.begin(), scene.initial_velocities.end(), [](const auto& v) { return !is_zero(v.velocity); });
+         std::any_of(scene.supports.begin(), scene.supports.end(), [](const Support& support) { return !is_zero(support.velocity); }) ||
+         std::any_of(scene.initial_displacements.begin(), scene.initial_displacements.end(), [](const auto& u) { return !is_zero(u.gradient); }) ||
+         std::any_of(scene.initial_velocities.begin(), scene.initial_velocities.end(),
+                     [](const auto& v) { return !is_zero(v.velocity) || !is_zero(v.spin) || !is_zero(v.gradient); });
 }
 
 }  // namespace
@@ -83,8 +87,16 @@ void read_supports(Fields& root, Reading& reading) {
     }
     const auto fixed = read_fixed(fields, reading.dim);
     const auto mean = fields.choice<bool>("mode", Need::optional, {{"each", false}, {"mean", true}});
+    const auto velocity = fields.vector("velocity", Need::optional, dimension::velocity, reading.dim);
+    const auto history = read_history(fields);
     fields.done();
-    if (place && fixed) reading.scene.supports.push_back({*place, *fixed, {}, mean.value_or(false)});
+    if (velocity && mean == true) fields.fault("velocity", "\"velocity\" with mode = \"mean\"; expected it only on a support that holds every point");
+    if (fields.has("history") && !fields.has("velocity")) fields.fault("history", "\"history\" without \"velocity\"; expected both, or neither");
+    if (velocity && fixed)
+      for (int c = 0; c < 3; ++c)
+        if (!(*fixed)[c] && (*velocity)[c] != 0)
+          fields.fault("velocity", fmt::format("\"velocity\" moves {0}, which this support does not hold; expected 0 there, or \"{0}\" in \"fix\"", "xyz"[c]));
+    if (place && fixed && history) reading.scene.supports.push_back({*place, *fixed, {}, mean.value_or(false), velocity.value_or(Point{}), *history});
   }
 }
 
@@ -95,15 +107,6 @@ void read_loads(Fields& root, Reading& reading) {
     const auto history = read_history(fields);
     fields.done();
     if (place && force && history) reading.scene.loads.push_back({*place, *force, *history});
-  }
-}
-
-void read_initial_velocities(Fields& root, Reading& reading) {
-  for (Fields& fields : root.tables("initial")) {
-    const auto body = read_body_of(fields, reading);
-    const auto velocity = fields.vector("velocity", Need::required, dimension::velocity, reading.dim);
-    fields.done();
-    if (body && velocity) reading.scene.initial_velocities.push_back({*body, *velocity});
   }
 }
 
@@ -136,10 +139,12 @@ void read_settling(Fields& root, Reading& reading) {
   if (fields->has("rate") && method == SettlingMethod::kinetic)
     fields->fault("rate", "\"rate\" with method = \"kinetic\", which damps nothing; expected it only with method = \"damping\"");
   fields->done();
-  const bool faulty_elsewhere = !reading.faults.empty() && (root.has("loads") || root.has("initial") || root.has("gravity"));
+  const bool faulty_elsewhere = !reading.faults.empty() && (root.has("loads") || root.has("initial") || root.has("gravity") || root.has("initial_displacements"));
   if (!something_moves(reading.scene) && !faulty_elsewhere)
     root.fault("settling",
                "nothing could move that would settle; expected [[loads]], [gravity] or [[initial]] with a value other than zero");
+  if (std::any_of(reading.scene.supports.begin(), reading.scene.supports.end(), [](const Support& support) { return !is_zero(support.velocity); }))
+    root.fault("settling", "[settling] with a support that has a \"velocity\"; expected supports at rest, or no [settling]");
   reading.scene.settling = settling;
 }
 

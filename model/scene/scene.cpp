@@ -28,6 +28,30 @@ double TimeHistory::at(double t) const {
   return factor[next - 1] + share * (factor[next] - factor[next - 1]);
 }
 
+namespace {
+
+Point product(const Matrix& a, const Point& x) {
+  Point y{};
+  for (int i = 0; i < 3; ++i)
+    for (int j = 0; j < 3; ++j) y[i] += a[i][j] * x[j];
+  return y;
+}
+
+}  // namespace
+
+Point InitialVelocity::at(const Point& p) const {
+  const Point r{p[0] - centre[0], p[1] - centre[1], p[2] - centre[2]};
+  Point v = product(gradient, r);
+  const double amplitude = profile ? std::sin(2 * std::acos(-1.0) * (p[profile->axis] - profile->origin) / profile->wavelength) : 1.0;
+  for (int c = 0; c < 3; ++c) {
+    const int a = (c + 1) % 3, b = (c + 2) % 3;
+    v[c] = amplitude * (v[c] + velocity[c] + spin[a] * r[b] - spin[b] * r[a]);
+  }
+  return v;
+}
+
+Point InitialDisplacement::at(const Point& p) const { return product(gradient, {p[0] - centre[0], p[1] - centre[1], p[2] - centre[2]}); }
+
 bool Region::contains(const Point& p, double tolerance) const {
   for (int a = 0; a < 3; ++a)
     if (p[a] < lower[a] - tolerance || p[a] > upper[a] + tolerance) return false;
@@ -96,10 +120,12 @@ std::vector<std::string> Scene::effects() const {
   add(large_motion, "finite rotation");
   add_plastic_effects(*this, on);
   add(!supports.empty(), "supports");
+  add(std::any_of(supports.begin(), supports.end(), [](const Support& support) { return support.velocity != Point{}; }), "moved supports");
   add(!symmetries.empty(), "symmetry");
   add(!bars.empty(), "bars");
   add(!loads.empty(), "loads");
   add(!initial_velocities.empty(), "initial velocity");
+  add(!initial_displacements.empty(), "initial displacement");
   add(std::any_of(bodies.begin(), bodies.end(), [](const Body& body) { return body.rigid; }), "rigid bodies");
   add(!contacts.empty(), "contact");
   add(std::any_of(contacts.begin(), contacts.end(), [](const Contact& contact) { return contact.friction > 0; }), "friction");

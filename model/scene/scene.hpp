@@ -16,6 +16,8 @@
 
 namespace femsph {
 
+using Matrix = std::array<Point, 3>;  ///< rows
+
 struct Material {
   std::string name;
   double young, poisson, density;  ///< Pa, 1, kg/m^3
@@ -51,11 +53,20 @@ struct Place {
   std::optional<Region> within{};  ///< of these, only the points in here
 };
 
+/// How a load or a moved support grows in time: a piecewise linear factor, held constant beyond its ends. A step is one point (0, 1).
+struct TimeHistory {
+  std::vector<double> time{0.0};  ///< s, increasing
+  std::vector<double> factor{1.0};
+  double at(double t) const;
+};
+
 struct Support {
   Place place;
-  std::array<bool, 3> fixed{};  ///< which displacement components are held at zero
+  std::array<bool, 3> fixed{};  ///< which displacement components are held where they start
   std::array<bool, 3> fixed_turn{};  ///< of a rigid body: about which axes it cannot turn
   bool mean = false;            ///< only the weighted mean over the place is held, so that the place may turn
+  Point velocity{};             ///< m/s: the held components move so, times `history`
+  TimeHistory history{};
 };
 
 /// A plane side of a body beyond which the body goes on, mirrored; its normal displacement is zero.
@@ -76,13 +87,6 @@ struct Bar {
   int axis() const;
 };
 
-/// How a load grows in time: a piecewise linear factor, held constant beyond its ends. A step is one point (0, 1).
-struct TimeHistory {
-  std::vector<double> time{0.0};  ///< s, increasing
-  std::vector<double> factor{1.0};
-  double at(double t) const;
-};
-
 /// A force on a place, given as its total; each discretization shares it out (consistently over a face's area).
 struct Load {
   Place place;
@@ -90,9 +94,28 @@ struct Load {
   TimeHistory history;
 };
 
+/// Motion of a body at the start, v(X) = s(X) (velocity + spin x (X - centre) + gradient (X - centre)). Several of one body add up.
 struct InitialVelocity {
   std::size_t body = 0;
-  Point velocity{};  ///< m/s
+  Point velocity{};   ///< m/s
+  Point spin{};       ///< rad/s; in a plane about z
+  Matrix gradient{};  ///< dv_i/dX_j, 1/s
+  Point centre{};     ///< m
+  /// s(X) = sin(2 pi (X_axis - origin) / wavelength); without one s = 1.
+  struct Wave {
+    int axis;
+    double wavelength, origin;  ///< m
+  };
+  std::optional<Wave> profile{};
+  Point at(const Point& p) const;
+};
+
+/// Displacement at the start, u(X) = gradient (X - centre). Supports hold it.
+struct InitialDisplacement {
+  std::size_t body = 0;
+  Matrix gradient{};  ///< du_i/dX_j
+  Point centre{};     ///< m
+  Point at(const Point& p) const;
 };
 
 /// Two bodies, one of them deformable at least, that press on each other where they touch.
@@ -148,6 +171,7 @@ struct Scene {
   std::vector<Bar> bars;
   std::vector<Load> loads;
   std::vector<InitialVelocity> initial_velocities;
+  std::vector<InitialDisplacement> initial_displacements;
   std::vector<Contact> contacts;
   std::optional<Point> gravity;   ///< m/s^2
   std::optional<double> damping;  ///< mass-proportional, c in 1/s

@@ -28,6 +28,7 @@ void read_symmetries(Fields& root, Reading& reading);
 void read_bars(Fields& root, Reading& reading);
 void read_loads(Fields& root, Reading& reading);
 void read_initial_velocities(Fields& root, Reading& reading);
+void read_initial_displacements(Fields& root, Reading& reading);
 void read_contacts(Fields& root, Reading& reading);
 void read_gravity(Fields& root, Reading& reading);
 void read_damping(Fields& root, Reading& reading);

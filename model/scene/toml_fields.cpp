@@ -162,6 +162,30 @@ std::optional<Point> Fields::vector(const char* key, Need need, const Dimension&
   return all ? to_point(*all, key, dim) : std::nullopt;
 }
 
+std::optional<std::array<Point, 3>> Fields::matrix(const char* key, Need need, const Dimension* dimension, int dim) {
+  const std::string value = dimension ? fmt::format("\"{}\"", dimension->example) : "0.1";
+  const std::string row = dim == 3 ? fmt::format("[{0}, {0}, {0}]", value) : fmt::format("[{0}, {0}]", value);
+  const std::string expected = dim == 3 ? fmt::format("three rows such as [{0}, {0}, {0}]", row) : fmt::format("two rows such as [{0}, {0}]", row);
+  const toml::array* list = array(key, need, expected);
+  if (!list) return {};
+  const bool fits = dim == 0 ? list->size() == 2 || list->size() == 3 : int(list->size()) == dim;
+  if (!fits || !std::all_of(list->begin(), list->end(), [](const toml::node& n) { return n.is_array(); }))
+    return fault(key, fmt::format("\"{}\" is no square matrix; expected {}", key, expected)), std::nullopt;
+  std::array<Point, 3> rows{};
+  bool good = true;
+  for (std::size_t i = 0; i < list->size(); ++i) {
+    const toml::array& line = *(*list)[i].as_array();
+    if (line.size() != list->size()) return fault(key, fmt::format("\"{}\" is no square matrix; expected {}", key, expected)), std::nullopt;
+    for (std::size_t j = 0; j < line.size(); ++j) {
+      const auto number = dimension ? read_quantity(line[j], key, *dimension, Sign::any) : finite_number(line[j]);
+      if (!number && !dimension) faults_->add(source_of(line[j]), fmt::format("not a number in \"{}\"; expected {}", key, expected));
+      good = good && number;
+      rows[i][j] = number.value_or(0);
+    }
+  }
+  return good ? std::optional(rows) : std::nullopt;
+}
+
 std::optional<std::pair<Point, Point>> Fields::corners(const char* key, Need need, const Dimension& dimension, int dim) {
   const std::string expected = "two corners such as [[\"0 mm\", \"0 mm\"], [\"50 mm\", \"10 mm\"]]";
   const toml::array* list = array(key, need, expected);

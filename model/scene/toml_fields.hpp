@@ -49,6 +49,8 @@ class Fields {
   std::optional<std::vector<double>> quantities(const char* key, Need need, const Dimension& dimension, Sign sign = Sign::any);
   /// A vector of `dim` components in SI; dim 0: two or three will do (the dimension of the scene is itself at fault).
   std::optional<Point> vector(const char* key, Need need, const Dimension& dimension, int dim, Sign sign = Sign::any);
+  /// `dim` rows of `dim` values each, quantities in SI; plain numbers without a dimension.
+  std::optional<std::array<Point, 3>> matrix(const char* key, Need need, const Dimension* dimension, int dim);
   /// Two such vectors: the lower and the upper corner of a box.
   std::optional<std::pair<Point, Point>> corners(const char* key, Need need, const Dimension& dimension, int dim);
   /// One of a few words.

@@ -17,6 +17,7 @@ inline constexpr Dimension length{"m", "a length", "10 mm"};
 inline constexpr Dimension area{"m^2", "an area", "250 mm^2"};
 inline constexpr Dimension time{"s", "a time", "50 ms"};
 inline constexpr Dimension rate{"1/s", "a rate", "100 1/s"};
+inline constexpr Dimension rotation{"1/s", "a rate of rotation", "50 rad/s"};
 inline constexpr Dimension velocity{"m/s", "a velocity", "1 m/s"};
 inline constexpr Dimension acceleration{"m/s^2", "an acceleration", "9.81 m/s^2"};
 inline constexpr Dimension mass{"kg", "a mass", "300 kg"};
