@@ -90,6 +90,9 @@ std::vector<Case> targets() {
   moving.name = "2D classic SPH with viscosity, updated, 20 neighbours, search included";
   moving.method = sph("sph-classic-share", 1.2, viscous);
   all.push_back(moving);
+  moving.name += ", J2";
+  moving.yield = Yield::all;
+  all.push_back(moving);
   return all;
 }
 
