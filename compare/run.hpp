@@ -10,6 +10,7 @@
 
 #include "fem/fem.hpp"
 #include "model/motion/march.hpp"
+#include "model/results/checkpoint.hpp"
 #include "model/results/history.hpp"
 #include "sph/sph.hpp"
 
@@ -34,10 +35,19 @@ struct Resolution {
   std::array<int, 3> divisions{0, 0, 0};
 };
 
+/// When a run writes DIR/checkpoint.h5: always when it is interrupted, and every so often if asked.
+struct CheckpointOptions {
+  long every_steps = 0;      ///< 0: not by steps
+  double every_seconds = 0;  ///< of the wall clock; 0: not by time
+  std::vector<std::string> arguments;      ///< of the command line, for resume
+  std::shared_ptr<const Checkpoint> from;  ///< take this one up
+};
+
 struct RunOptions {
   MarchOptions march;
   std::optional<std::string> folder;  ///< write histories, fields and the record there
   bool fields = true;                 ///< with a folder: fields too
+  std::optional<CheckpointOptions> checkpoint;  ///< with a folder
   std::string label;                  ///< of the progress line
   std::string command;                ///< for the record
   bool scalars = false;               ///< fill RunResult::scalars, which costs a second look at the discretization
@@ -58,7 +68,7 @@ struct RunResult {
   std::vector<std::pair<std::string, std::string>> derived;  ///< see derived_values
 };
 
-/// Throws InputError, MotionError or std::runtime_error.
+/// Throws InputError, MotionError, Interrupted (compare/interruption.hpp) or std::runtime_error.
 RunResult run_scene(const Scene& scene, const Method& method, const Resolution& resolution, const RunOptions& options);
 
 /// What a run derives from its scene, for people: particles or elements, step, memory, effects.
