@@ -74,9 +74,7 @@ void March::look_at_energy(const Ledger& l) {
   const std::string grown = from_nowhere > tolerance * supplied + 1e-12
                                 ? fmt::format("{:.3g} J of energy have come from nowhere, with {:.3g} J supplied by loads and the start", from_nowhere, supplied)
                                 : fmt::format("the energy has grown to {:.3g} J, with {:.3g} J supplied by loads and the start", std::max(moving, held), supplied);
-  const long step = step_;
   const double omega = frequency_of_motion();
-  step_ = step;
   if (omega * dt_ > 1.95)
     fail(Stopped::Watch::step, place, fmt::format("{}; what grows has a frequency of {:.4g} rad/s, which no step above {:.4g} s can follow, and the step is {:.4g} s", grown, omega, 2 / omega, dt_),
          fmt::format("the deformed body is stiffer than at the start: try --safety {:.2g}", 0.8 * 2 / omega / critical_));
@@ -86,9 +84,11 @@ void March::look_at_energy(const Ledger& l) {
 /// Of what moves most, from one more step: omega^2 = -du . df / (du . M du), a Rayleigh quotient of the tangent stiffness.
 double March::frequency_of_motion() {
   double most = 0;
+  MemoryArchive here;
+  here.save(*this);
+  std::vector<AlignedVector<double>> before;
+  for (const MovingBody& body : bodies_) before.push_back(body.f);
   try {
-    std::vector<AlignedVector<double>> before;
-    for (const MovingBody& body : bodies_) before.push_back(body.f);
     kick_and_drift();
     ++step_;
     forces();
@@ -104,6 +104,8 @@ double March::frequency_of_motion() {
     }
   } catch (const MotionError&) {  // a contact that does not take that step: then the frequency stays unknown
   }
+  here.restore(*this);
+  for (std::size_t b = 0; b < bodies_.size(); ++b) bodies_[b].f = before[b];
   return most;
 }
 
