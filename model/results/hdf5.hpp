@@ -146,7 +146,8 @@ class Opened {
     const Handle access(check(H5Pcreate(H5P_FILE_ACCESS), "/"), H5Pclose);
     check(H5Pset_fapl_core(access, 1 << 20, 0), "/");
     check(H5Pset_file_image(access, const_cast<char*>(bytes.data()), bytes.size()), "/");  // it takes a copy
-    return {check(H5Fopen(file_.c_str(), H5F_ACC_RDONLY, access), "/"), H5Fclose};
+    const std::string name = file_ + " in memory";  // HDF5 insists that no file of that name exists
+    return {check(H5Fopen(name.c_str(), H5F_ACC_RDONLY, access), "/"), H5Fclose};
   }
   template <class Result>
   Result check(Result result, const std::string& path) const {

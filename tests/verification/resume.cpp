@@ -92,19 +92,20 @@ young = "23.3 GPa"
 poisson = 0.2
 density = "2400 kg/m^3"
 yield = "30 MPa"
+tangent_ratio = 0.01
 [materials.bar]
 law = "plastic"
 young = "206 GPa"
 poisson = 0.3
 density = "7850 kg/m^3"
 yield = "20 MPa"
+tangent_ratio = 0.01
 [bodies.beam]
 shape = "box"
 size = ["400 mm", "50 mm"]
 thickness = "50 mm"
 material = "concrete"
-[[bars]]
-name = "bottom"
+[bars.bottom]
 body = "beam"
 from = ["0 mm", "12 mm"]
 to = ["400 mm", "12 mm"]
