@@ -29,6 +29,7 @@ void March::state(Archive& archive) {
     });
   for (RigidBody& body : rigid_) archive.below("body " + body.name, [&] { body.state(archive); });
   for (ContactPair& contact : contacts_) archive.below("contact " + contact.contact().name, [&] { contact.state(archive); });
+  if (!ties_.empty()) archive.below("ties", [&] { ties_.state(archive); });
 }
 
 void RigidBody::state(Archive& archive) {
