@@ -137,6 +137,9 @@ class Loop final : public StiffnessLoop<ElementType, dim, T> {
   Loop(const LoopInput& in, const LawType& law)
       : Base(in, law.elastic()), material_{law, law.elastic(), in.hourglass}, state_(batches_.count * state_size * lanes, 0.0) {}
 
+  void set_step([[maybe_unused]] double dt) override {
+    if constexpr (requires { material_.law.set_step(dt); }) material_.law.set_step(dt);
+  }
   void add_force(const double* u, double* f) override {
     parallel_for(batches_.count, batches_per_domain, [&](std::size_t begin, std::size_t end) {
       Unobserved nobody;
@@ -174,7 +177,7 @@ class Loop final : public StiffnessLoop<ElementType, dim, T> {
   }
 
   void samples(const double* u, std::size_t begin, std::size_t end, const std::function<void(const Sample&)>& take) const override {
-    SampleObserver<LawType, dim> observer{material_.law, take};
+    SampleObserver<Kinematics, LawType, dim> observer{material_.law, take};
     observe(u, begin, end, observer);
   }
   std::size_t bytes() const override { return Base::bytes() + state_.capacity() * sizeof(double); }
@@ -197,7 +200,7 @@ class Loop final : public StiffnessLoop<ElementType, dim, T> {
     }
   }
 
-  const CellMaterial<LawType> material_;
+  CellMaterial<LawType> material_;
   AlignedVector<double> state_;  ///< (batch * state_size + value) * lanes + lane
 };
 
@@ -211,9 +214,10 @@ std::unique_ptr<CellLoop> choose_loop(const LoopInput& in) {
           if (in.scalar_kernel) return std::make_unique<Loop<ElementType, Kinematics, LawType, dim, double>>(in, law);
           return std::make_unique<Loop<ElementType, Kinematics, LawType, dim, Pack>>(in, law);
         };
-        if (in.mesh->dim == 2)
-          return in.large_motion ? with.template operator()<FiniteRotation, 2>() : with.template operator()<SmallStrain, 2>();
-        return in.large_motion ? with.template operator()<FiniteRotation, 3>() : with.template operator()<SmallStrain, 3>();
+        const bool plane = in.mesh->dim == 2;
+        if (in.large_motion) return plane ? with.template operator()<LargeMotion<LawType>, 2>() : with.template operator()<LargeMotion<LawType>, 3>();
+        if constexpr (LargeMotionOnly<LawType>) throw std::runtime_error("this material needs motion = \"large\"");
+        else return plane ? with.template operator()<SmallStrain, 2>() : with.template operator()<SmallStrain, 3>();
       },
       in.law);
 }

@@ -262,7 +262,7 @@ class StaticSolver {
       }
     if (dim == 2) {
       e[2] = law_.thickness_strain({e[0], e[1], e[3]}, {s[0], s[1], s[3]}, nullptr);
-      s[2] = law_.thickness_stress({s[0], s[1], s[3]}, nullptr);
+      s[2] = law_.thickness_stress({}, {s[0], s[1], s[3]}, nullptr);
     }
     if (quantity == Quantity::equivalent_stress) return {von_mises({s[0], s[1], s[2], s[3], s[4], s[5]})};
     if (quantity == Quantity::plastic_strain) return {0};

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "model/material/law.hpp"
+#include "model/material/kinematics.hpp"
 #include "model/numerics/array.hpp"
 #include "model/numerics/parallel.hpp"
 #include "sph/cell_list.hpp"
@@ -93,6 +93,7 @@ class UpdatedLagrangian final : public ParticleBody {
   void internal_force(const double* u, const double* v, double dt, double* f, double* viscous) override {
     place(u);
     if (neighbours_stale()) search();
+    if constexpr (requires { law_.set_step(dt); }) law_.set_step(dt);
     if (dt > 0) advance_stress(v, dt);
     else if (std::any_of(u, u + layout_.size, [](double x) { return x != 0; })) advance_stress(u, 1.0);  // an initial displacement, as one step
     if (viscous) pair_forces<true>(v, f, viscous);
@@ -108,7 +109,7 @@ class UpdatedLagrangian final : public ParticleBody {
       if constexpr (dim == 2) {
         const Symmetric<double, 2> stress{s[0], s[1], s[2]}, strain{e[0], e[1], e[2]};
         const double* own = history_.data() + points[k] * n_history;
-        out.stress[k] = {s[0], s[1], law_.thickness_stress(stress, own), s[2], 0, 0};
+        out.stress[k] = {s[0], s[1], law_.thickness_stress(strain, stress, own), s[2], 0, 0};
         out.strain[k] = {e[0], e[1], law_.thickness_strain(strain, stress, own), e[2], 0, 0};
       } else {
         for (std::size_t c = 0; c < 6; ++c) out.stress[k][c] = s[c], out.strain[k][c] = e[c];
@@ -265,8 +266,10 @@ std::unique_ptr<Discretization> updated_lagrangian(const Scene& scene, std::size
   return std::visit(
       [&](const auto& law) -> std::unique_ptr<Discretization> {
         using LawType = std::decay_t<decltype(law)>;
-        if (particles.dim == 2) return std::make_unique<UpdatedLagrangian<2, LawType>>(scene, body, options, std::move(particles), kernel, law);
-        return std::make_unique<UpdatedLagrangian<3, LawType>>(scene, body, options, std::move(particles), kernel, law);
+        if constexpr (LargeMotionOnly<LawType>)
+          throw std::runtime_error("classic SPH on updated neighbours sums rates of stress, and a neo-Hookean material has none; take corrected SPH or law = \"elastic\"");
+        else if (particles.dim == 2) return std::make_unique<UpdatedLagrangian<2, LawType>>(scene, body, options, std::move(particles), kernel, law);
+        else return std::make_unique<UpdatedLagrangian<3, LawType>>(scene, body, options, std::move(particles), kernel, law);
       },
       scene.material_of(scene.bodies[body]).law(scene.plane));
 }

@@ -76,7 +76,7 @@ struct Plastic {
 
   const LinearElastic& elastic() const { return base; }
   double wave_speed() const { return base.wave_speed(); }
-  double thickness_stress(const Symmetric<double, 2>&, const double* history) const { return stress_across<double, 2>(history); }
+  double thickness_stress(const Symmetric<double, 2>&, const Symmetric<double, 2>&, const double* history) const { return stress_across<double, 2>(history); }
   /// 0 in plane strain; in plane stress the elastic part -nu/E (sxx + syy) and the plastic part.
   double thickness_strain(const Symmetric<double, 2>&, const Symmetric<double, 2>& s, const double* history) const {
     if (base.plane != Plane::stress) return 0;

@@ -41,8 +41,11 @@ Plasticity read_plasticity(Fields& fields, double young) {
   return p;
 }
 
-Material read_material(const std::string& name, Fields& fields) {
-  const auto plastic = fields.choice<bool>("law", Need::required, {{"elastic", false}, {"plastic", true}});
+enum class LawWord { elastic, neo_hookean, plastic };
+
+Material read_material(const std::string& name, Fields& fields, const Reading& reading) {
+  const auto law = fields.choice<LawWord>("law", Need::required,
+                                          {{"elastic", LawWord::elastic}, {"neo-hookean", LawWord::neo_hookean}, {"plastic", LawWord::plastic}});
   const auto young = fields.quantity("young", Need::required, dimension::pressure, Sign::positive);
   const std::string range = "a number above -1 and below 0.5 (a stable, compressible material)";
   const auto poisson = fields.number("poisson", Need::required, range);
@@ -50,8 +53,11 @@ Material read_material(const std::string& name, Fields& fields) {
     fields.fault("poisson", fmt::format("\"poisson\" is {}; expected {}", *poisson, range));
   const auto density = fields.quantity("density", Need::required, dimension::density, Sign::positive);
   Material material{name, young.value_or(1), poisson.value_or(0), density.value_or(1)};
-  if (!plastic) fields.accept_rest();
-  if (plastic == true) material.plasticity = read_plasticity(fields, material.young);
+  if (!law) fields.accept_rest();
+  if (law == LawWord::plastic) material.plasticity = read_plasticity(fields, material.young);
+  material.neo_hookean = law == LawWord::neo_hookean;
+  if (material.neo_hookean && reading.dim && !reading.scene.large_motion)
+    fields.fault("law", "\"law\" is \"neo-hookean\" with small motion, where it is the elastic law; expected motion = \"large\" in [model], or law = \"elastic\"");
   fields.done();
   return material;
 }
@@ -97,7 +103,7 @@ std::vector<std::string> body_names(const Scene& scene) {
 
 void read_materials(Fields& root, Reading& reading) {
   for (auto& [name, fields] : root.named_tables("materials", Need::required, "at least one table such as [materials.steel]"))
-    reading.scene.materials[name] = read_material(name, fields);
+    reading.scene.materials[name] = read_material(name, fields, reading);
 }
 
 void read_bodies(Fields& root, Reading& reading) {

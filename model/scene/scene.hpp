@@ -22,6 +22,7 @@ struct Material {
   std::string name;
   double young, poisson, density;  ///< Pa, 1, kg/m^3
   std::optional<Plasticity> plasticity = {};  ///< none: elastic
+  bool neo_hookean = false;        ///< elastic, at large strain
   Law law(Plane plane) const;      ///< the law of this material in that plane
 };
 
