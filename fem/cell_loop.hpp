@@ -7,6 +7,7 @@
 
 #include "fem/batches.hpp"
 #include "fem/fem.hpp"
+#include "model/motion/archive.hpp"
 
 namespace femsph::fem {
 
@@ -37,6 +38,8 @@ class CellLoop {
   virtual int points_per_cell() const = 0;
   virtual bool equal_volumes() const = 0;
   virtual std::size_t bytes() const = 0;
+  /// What the law remembers of every material point.
+  virtual void state(Archive& archive) = 0;
 };
 
 /// What a loop works on; the owner outlives it.

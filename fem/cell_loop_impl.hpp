@@ -181,6 +181,9 @@ class Loop final : public StiffnessLoop<ElementType, dim, T> {
     observe(u, begin, end, observer);
   }
   std::size_t bytes() const override { return Base::bytes() + state_.capacity() * sizeof(double); }
+  void state(Archive& archive) override {
+    if constexpr (state_size > 0) archive("material", state_);
+  }
 
  private:
   void read_state(std::size_t b, int lane, double* state) const {

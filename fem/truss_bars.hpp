@@ -21,6 +21,7 @@ class TrussBars {
   void add_stiffness(const double* x, double* y) const;
   double strain_energy(const double* u) const;
   double dissipated_energy() const;
+  void state(Archive& archive) { bar_states(archive, trusses_); }
   std::vector<BarPiece> pieces(const double* u) const;
 
  private:

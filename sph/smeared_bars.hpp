@@ -27,6 +27,7 @@ class SmearedBars {
   std::size_t bytes() const { return pieces.size() * sizeof(SmearedPiece); }
   void add_mass(std::vector<double>& mass) const;
   double dissipated_energy() const;
+  void state(Archive& archive) { bar_states(archive, pieces); }
   double volume(const SmearedPiece& piece) const { return rows[piece.row].area * piece.length; }
 
   std::vector<BarRow> rows;

@@ -108,6 +108,11 @@ class TotalLagrangian final : public ParticleBody {
     });
   }
 
+  void state(Archive& archive) override {
+    if constexpr (n_state > 0) archive("material", state_);
+    bars_.state(archive);
+  }
+
   std::vector<BarPiece> bars(const double* u) const override {
     std::vector<BarPiece> out;
     each_bar<Kinematics>(with_mirrored(u), bars_.pieces, [&](const SmearedPiece& piece, double strain, const Pull&) {

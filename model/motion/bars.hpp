@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "model/material/bar_law.hpp"
+#include "model/motion/archive.hpp"
 #include "model/scene/scene.hpp"
 
 namespace femsph {
@@ -27,6 +28,16 @@ struct BarRow {
 /// The rows that carry the bars of one body. `tolerance`: how far a point of a row may lie beside it, m.
 /// Throws std::runtime_error with one sentence if no rows lie along a bar.
 std::vector<BarRow> bar_rows(const Scene& scene, std::size_t body, std::span<const Point> points, double tolerance);
+
+/// What the bars' laws remember: the member `state` of every truss or piece.
+template <class Piece>
+void bar_states(Archive& archive, std::vector<Piece>& pieces) {
+  if (pieces.empty()) return;
+  archive.each("bar_stress", pieces, [](Piece& p) -> double& { return p.state.stress; });
+  archive.each("bar_plastic_strain", pieces, [](Piece& p) -> double& { return p.state.plastic_strain; });
+  archive.each("bar_equivalent", pieces, [](Piece& p) -> double& { return p.state.equivalent; });
+  archive.each("bar_dissipated", pieces, [](Piece& p) -> double& { return p.state.dissipated; });
+}
 
 /// ", bar bottom at y = 37.5 mm (64 %) and 50 mm (36 %)" for each bar: for Discretization::describe.
 std::string describe(const std::vector<BarRow>& rows, const Scene& scene);

@@ -4,10 +4,12 @@
 
 #include <cstddef>
 #include <memory>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
 
+#include "model/motion/archive.hpp"
 #include "model/scene/scene.hpp"
 
 namespace femsph {
@@ -50,6 +52,13 @@ struct BarPiece {
   double plastic_strain;
 };
 
+/// Why a discretization cannot go on from where its points are now.
+struct Trouble {
+  std::string what;    ///< "cell 12 has turned inside out: its volume is -0.2 times what it was": names the unit
+  std::string advice;  ///< likely cause and what to try
+  Point position{};    ///< m, in the deformed body
+};
+
 /// sqrt(3/2 s:s) with s the deviator of the stress xx yy zz xy yz zx.
 double von_mises(const std::array<double, 6>& stress);
 
@@ -89,6 +98,11 @@ class Discretization {
   virtual double hourglass_energy(const double*) const { return 0.0; }
   /// Plastic work so far (J), at the displacement of the last internal_force().
   virtual double dissipated_energy(const double*) const { return 0.0; }
+  /// Every array that carries history from one step to the next, beyond u and v of the march: what a run that is taken up again needs.
+  virtual void state(Archive&) {}
+  /// The worst unit at displacement u, if it is past what the method can follow: a folded cell, a particle without neighbours.
+  /// Looked at now and then, in large motion only.
+  virtual std::optional<Trouble> trouble(const double*) const { return std::nullopt; }
   /// The bars of the body at displacement u.
   virtual std::vector<BarPiece> bars(const double*) const { return {}; }
 
