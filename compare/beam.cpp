@@ -113,6 +113,7 @@ double Impact::strain() const {
 Impact impact_of(const Scene& scene) {
   const Material& m = scene.material_of(scene.bodies[0]);
   if (scene.initial_velocities.empty() || !m.plasticity) refuse("impact", "it needs a plastic material and an initial velocity");
+  if (m.plasticity->johnson_cook) refuse("impact", "its material hardens by Johnson-Cook, not linearly");
   const double H = m.plasticity->hardening;
   return {-scene.initial_velocities[0].velocity[0], m.young, m.density, m.plasticity->yield, m.young * H / (m.young + H)};
 }
@@ -121,6 +122,7 @@ double plastic_moment(const Scene& scene) {
   const Body& body = scene.bodies[0];
   const Material& m = scene.material_of(body);
   if (!m.plasticity) refuse("plastic moment", "its material is elastic");
+  if (m.plasticity->johnson_cook) refuse("plastic moment", "its material hardens by Johnson-Cook");
   const Point a = body.shape->lower(), b = body.shape->upper();
   return m.plasticity->yield * (scene.dim() == 2 ? body.thickness : b[2] - a[2]) * (b[1] - a[1]) * (b[1] - a[1]) / 4;
 }

@@ -214,7 +214,8 @@ std::unique_ptr<CellLoop> choose_loop(const LoopInput& in) {
       [&](const auto& law) -> std::unique_ptr<CellLoop> {
         using LawType = std::decay_t<decltype(law)>;
         const auto with = [&]<class Kinematics, int dim>() -> std::unique_ptr<CellLoop> {
-          if (in.scalar_kernel) return std::make_unique<Loop<ElementType, Kinematics, LawType, dim, double>>(in, law);
+          if constexpr (!LargeMotionOnly<LawType>)  // the others have no scalar form, to spare the compiler
+            if (in.scalar_kernel) return std::make_unique<Loop<ElementType, Kinematics, LawType, dim, double>>(in, law);
           return std::make_unique<Loop<ElementType, Kinematics, LawType, dim, Pack>>(in, law);
         };
         const bool plane = in.mesh->dim == 2;

@@ -7,6 +7,8 @@
 // A tension rule and the way the stress is integrated are parameters of the one law, so that it is compiled once for all of them:
 // update() works on eight points a call, and asks for the rule once a call. The pieces: return_mapping.hpp, no_return.hpp, tension.hpp.
 
+#include <optional>
+
 #include "model/material/linear_elastic.hpp"
 
 namespace femsph {
@@ -26,6 +28,14 @@ enum class Integration {
   modulus_mistaken,  ///< hypothesis 8: as 1, but Y grows by E dp where H belongs (a slip in eq. 10)
 };
 
+/// What johnson_cook.hpp says; C = 0 for no effect of the rate, melting = 0 for none of the heat.
+struct JohnsonCook {
+  double B = 0, n = 1;            ///< Pa, 1
+  double C = 0, rate = 1;         ///< 1, pdot_0 in 1/s
+  double m = 1, melting = 0, room = 0, start = 0;  ///< 1, K: T_melt, T_room, T_0
+  double heating = 0;             ///< chi / (rho c), K m^3/J
+};
+
 /// What a material says about its plasticity.
 struct Plasticity {
   double yield = 0;      ///< Pa
@@ -33,13 +43,16 @@ struct Plasticity {
   TensionRule tension = TensionRule::none;
   double tensile_strength = 0;  ///< Pa; sign and principal only
   Integration integration = Integration::return_mapping;
+  std::optional<JohnsonCook> johnson_cook = {};  ///< in place of `hardening`; with return mapping and without a tension rule only
 };
 
 struct Plastic {
   LinearElastic base;
   Plasticity parameters;
+  double step = 0;  ///< s, that the next increments take; 0: unknown
+  void set_step(double dt) { step = dt; }
 
-  /// History of a point. `excess` is how far the largest equivalent stress so far passed the initial yield stress (hypothesis 3 only);
+  /// History of a point. `excess` is how far the largest equivalent stress so far passed the initial yield stress (hypothesis 3), or the flow of the last step (Johnson-Cook);
   /// `across` is the stress normal to the plane in plane strain, the plastic strain normal to the plane in plane stress.
   enum Slot { equivalent_strain, work, excess, across };
   template <int dim>

@@ -102,6 +102,7 @@ void add_plastic_effects(const Scene& scene, std::vector<std::string>& on) {
     const auto& p = scene.material_of(body).plasticity;
     if (!p) continue;
     add("plasticity");
+    if (p->johnson_cook) add("Johnson-Cook yield stress");
     if (p->tension == TensionRule::sign) add("tension rule sign");
     if (p->tension == TensionRule::principal) add("tension rule principal");
     if (p->integration == Integration::tangent) add("no return mapping (hypothesis 1)");
