@@ -81,13 +81,14 @@ double reduce_history(const Curve& curve, Reduce reduce) {
     case Reduce::mean:
       return mean(curve);
     case Reduce::frequency:
+    case Reduce::period:
       break;
     default:
       return v.back();
   }
   const auto frequency = dominant_frequency(curve.at, v);
   if (!frequency) throw std::runtime_error("the history does not swing back, so it has no frequency");
-  return *frequency;
+  return reduce == Reduce::period ? 1 / *frequency : *frequency;
 }
 
 double signed_as(double value, SignRule rule) {
@@ -193,7 +194,8 @@ Reduced reduce(const QuantitySpec& quantity, const RunResult& result, const Scen
   if (quantity.reduce == Reduce::excess) return {excess(quantity, result, scene) / quantity.observed.unit.factor, {}, {}, {}, {}};
   if (quantity.reduce == Reduce::l2) return reduce_l2(quantity, result, scene, limit);
   Observed observed = quantity.observed;
-  if (quantity.reduce == Reduce::frequency || quantity.reduce == Reduce::moment) observed.unit.factor = 1;  // the unit is that of the result
+  const bool of_time = quantity.reduce == Reduce::frequency || quantity.reduce == Reduce::period;
+  if (of_time || quantity.reduce == Reduce::moment) observed.unit.factor = 1;  // the unit is that of the result
   const Curve curve = within(curve_of(observed, result), quantity.window);
   double value;
   if (quantity.reduce == Reduce::moment)
@@ -202,15 +204,16 @@ Reduced reduce(const QuantitySpec& quantity, const RunResult& result, const Scen
     value = curve.value[fibre(section_named(scene, observed.section), curve.value.size(), quantity.reduce)];
   else
     value = reduce_history(curve, quantity.reduce);
-  if (quantity.reduce == Reduce::frequency) value /= quantity.observed.unit.factor;
+  if (of_time) value /= quantity.observed.unit.factor;
   if (!std::isfinite(value)) throw std::runtime_error(fmt::format("{} is not a finite number", quantity.name));
 
   Reduced reduced{signed_as(value, quantity.sign), {}, {}, {}, {}};
   if (quantity.theory) {
     const double exact = theory_named(*quantity.theory).value(scene, place_of(quantity, scene), 0) / quantity.observed.unit.factor;
     reduced.theory = signed_as(exact, quantity.sign);
-    reduced.error_percent = percent_error(reduced.value, *reduced.theory);
   }
+  if (quantity.reference) reduced.theory = quantity.reference;
+  if (reduced.theory) reduced.error_percent = percent_error(reduced.value, *reduced.theory);
   if (limit) reduced.limit = limit_value(quantity, scene, *limit);
   if (reduced.limit) {
     reduced.limit = signed_as(*reduced.limit, quantity.sign);

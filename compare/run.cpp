@@ -2,9 +2,11 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <ctime>
 
+#include "model/motion/conservation.hpp"
 #include "model/motion/recorder.hpp"
 #include "model/results/fields.hpp"
 #include "model/results/record.hpp"
@@ -118,6 +120,40 @@ std::vector<std::pair<std::string, std::string>> derived_values(const March& mar
   return out;
 }
 
+const std::vector<std::pair<std::string, std::string>>& run_scalars() {
+  static const std::vector<std::pair<std::string, std::string>> list = {{"surface_weight_loss", "1"}, {"critical_step", "s"}, {"energy_drift", "1"},
+                                                                        {"momentum_drift", "1"}, {"angular_momentum_drift", "1"}, {"hourglass_share", "1"}};
+  return list;
+}
+
+namespace {
+
+/// What a march has, at its end or where it stopped.
+RunResult result_of(const March& march, const Recorder& recorder, const std::optional<Conservation>& conservation) {
+  RunResult r;
+  r.history = recorder.history();
+  r.ledger = march.ledger();
+  r.price = march.price();
+  r.settled = march.settled();
+  r.derived = derived_values(march);
+  for (const MovingBody& body : march.bodies()) r.points += body.discretization->layout().points;
+  r.scalars["critical_step"] = march.critical_step();
+  if (conservation) {
+    const Drift drift = conservation->drift();
+    r.scalars["energy_drift"] = drift.energy;
+    r.scalars["momentum_drift"] = drift.momentum;
+    r.scalars["angular_momentum_drift"] = drift.angular_momentum;
+    r.scalars["hourglass_share"] = drift.hourglass;
+  }
+  return r;
+}
+
+bool asks_for_drift(const std::set<std::string>& scalars) {
+  return std::any_of(scalars.begin(), scalars.end(), [](const std::string& s) { return s.ends_with("_drift") || s == "hourglass_share"; });
+}
+
+}  // namespace
+
 RunResult run_scene(const Scene& scene, const Method& method, const Resolution& resolution, const RunOptions& options) {
   const double start = wall_seconds();
   std::vector<std::unique_ptr<Discretization>> bodies;
@@ -129,35 +165,35 @@ RunResult run_scene(const Scene& scene, const Method& method, const Resolution& 
   Recorder recorder(march);
   std::unique_ptr<Output> output;
   if (options.folder) output = std::make_unique<Output>(scene, method, options, march);
+  std::optional<Conservation> conservation;
+  if (asks_for_drift(options.scalars)) conservation.emplace(march);
   Progress progress(options.label.empty() ? method.name : options.label);
 
   MarchEvents events;
-  events.sample = [&](const March& m) { recorder.sample(m); };
+  events.sample = [&](const March& m) {
+    recorder.sample(m);
+    if (conservation) conservation->sample(m);
+  };
   if (output) events.snapshot = [&](const March& m) { output->snapshot(m); };
   events.progress = [&](const March& m) { progress.show(m.step(), m.planned_steps(), m.time()); };
   try {
     march.run(events);
   } catch (const MotionError& error) {
     if (output) output->finish(march, recorder, error.what(), false);
+    if (options.partial) *options.partial = result_of(march, recorder, conservation);
     throw;
   }
   if (output) output->finish(march, recorder, march.settled() ? "settled" : "finished", true);
 
-  RunResult r;
-  r.history = recorder.history();
+  RunResult r = result_of(march, recorder, conservation);
   r.profiles = recorder.profiles(march);
-  r.ledger = march.ledger();
   r.momentum_error = march.force_imbalance();
   r.moment_error = march.moment_imbalance();
-  r.price = march.price();
-  r.settled = march.settled();
-  r.derived = derived_values(march);
-  if (const auto* options_of_sph = std::get_if<sph::Options>(&method.options); options_of_sph && options.scalars) {
+  if (const auto* options_of_sph = std::get_if<sph::Options>(&method.options); options_of_sph && options.scalars.contains("surface_weight_loss")) {
     sph::Options o = *options_of_sph;
     o.spacing = march.bodies()[0].discretization->spacing();
     r.scalars["surface_weight_loss"] = sph::surface_weight_loss(scene, march.bodies()[0].index, o);
   }
-  for (const MovingBody& body : march.bodies()) r.points += body.discretization->layout().points;
   const Shape& first = *scene.bodies[march.bodies()[0].index].shape;
   if (first.cells() && method.is_fem()) r.spacing = march.bodies()[0].discretization->spacing();
   else r.spacing = height_spacing(first, divisions_of(first, resolution));

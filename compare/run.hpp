@@ -4,6 +4,7 @@
 #include <array>
 #include <map>
 #include <optional>
+#include <set>
 #include <string>
 #include <variant>
 #include <vector>
@@ -34,13 +35,16 @@ struct Resolution {
   std::array<int, 3> divisions{0, 0, 0};
 };
 
+struct RunResult;
+
 struct RunOptions {
   MarchOptions march;
   std::optional<std::string> folder;  ///< write histories, fields and the record there
   bool fields = true;                 ///< with a folder: fields too
   std::string label;                  ///< of the progress line
   std::string command;                ///< for the record
-  bool scalars = false;               ///< fill RunResult::scalars, which costs a second look at the discretization
+  std::set<std::string> scalars = {}; ///< which of RunResult::scalars to fill: each costs a look at the run that others do not pay
+  RunResult* partial = nullptr; ///< where a run that stops with a MotionError leaves what it has until then
 };
 
 struct RunResult {
@@ -54,9 +58,12 @@ struct RunResult {
   double spacing = 0;                       ///< m, as discretized
   int cells_over_height = 0;                ///< cells, or particles less one, along y
   std::size_t points = 0;                   ///< nodes or particles
-  std::map<std::string, double> scalars;    ///< numbers of the discretization itself, SI: surface_weight_loss (SPH)
+  std::map<std::string, double> scalars;    ///< numbers that belong to the whole run, SI, by their names in run_scalars()
   std::vector<std::pair<std::string, std::string>> derived;  ///< see derived_values
 };
+
+/// The scalars a run can give, with their SI units.
+const std::vector<std::pair<std::string, std::string>>& run_scalars();
 
 /// Throws InputError, MotionError or std::runtime_error.
 RunResult run_scene(const Scene& scene, const Method& method, const Resolution& resolution, const RunOptions& options);

@@ -9,6 +9,7 @@
 
 #include "compare/claims.hpp"
 #include "compare/run.hpp"
+#include "compare/verdicts.hpp"
 #include "model/scene/faults.hpp"
 
 namespace femsph::compare {
@@ -38,7 +39,7 @@ struct Observed {
 };
 
 /// `excess`: largest amount by which an equivalent stress lies above its yield curve, yield + H p, over the yield stress; `moment`: of a section's axial stress about its middle, integral sigma_xx (y - y0) dA.
-enum class Reduce { final, max, min, peak, mean, frequency, fibre_upper, fibre_lower, l2, moment, excess };
+enum class Reduce { final, max, min, peak, mean, frequency, period, fibre_upper, fibre_lower, l2, moment, excess };
 enum class SignRule { as_is, reversed, magnitude };
 
 /// A number to take from every run.
@@ -50,7 +51,10 @@ struct QuantitySpec {
   std::optional<std::array<double, 2>> window;  ///< s: the part of a history that `reduce` looks at
   SignRule sign = SignRule::as_is;    ///< how value, theory and limit are shown
   std::optional<std::string> theory;  ///< name of a theory value
+  std::optional<double> reference;    ///< in its place: a number, in the unit and sign of the table
   std::optional<std::string> scene;   ///< only of runs of that scene
+  std::vector<std::string> methods;   ///< only of runs with these labels; empty: all
+  bool is_of(const PlannedRun& run) const;
 };
 
 /// A number that the paper reports.
@@ -91,6 +95,8 @@ struct Study {
   std::optional<LimitSpec> limit;
   std::vector<Study> collected;  ///< run too; their rows are this study's
   std::vector<Claim> claims;
+  std::vector<Bound> bounds;              ///< some: the study's table is one of verdicts
+  std::vector<Expectation> expectations;
 };
 
 /// Reads a study and its scenes, and finds everything wrong with study.toml in one go. Throws InputError.

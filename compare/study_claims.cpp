@@ -15,7 +15,7 @@ using Kind = Claim::Kind;
 void add_planned(const Study& study, std::vector<Row>& rows) {
   for (const PlannedRun& run : study.runs)
     for (const QuantitySpec& quantity : study.quantities) {
-      if (quantity.scene && *quantity.scene != run.scene) continue;
+      if (!quantity.is_of(run)) continue;
       Row row;
       row.study = study.name, row.case_name = run.case_name, row.method = run.label, row.quantity = quantity.name;
       row.unit = quantity.observed.unit.name;

@@ -53,10 +53,17 @@ void make_folder(const fs::path& folder) {
   if (failed) throw std::runtime_error(fmt::format("cannot make the folder {}: {}", folder.string(), failed.message()));
 }
 
-void write_tables(const std::vector<Row>& rows, const fs::path& folder) {
+std::string table_for_people(const Study& study, const std::vector<Row>& rows) {
+  return study.bounds.empty() ? markdown(rows, orders_of(rows)) : markdown(judge(study.bounds, study.expectations, rows));
+}
+
+// A study with bounds shows verdicts; what other studies show is its details.csv.
+void write_tables(const Study& study, const std::vector<Row>& rows, const fs::path& folder) {
   const auto orders = orders_of(rows);
-  write_text(csv(rows), (folder / "table.csv").string());
-  write_text(markdown(rows, orders), (folder / "table.md").string());
+  const bool verdicts = !study.bounds.empty();
+  if (verdicts) write_text(csv(judge(study.bounds, study.expectations, rows)), (folder / "table.csv").string());
+  write_text(csv(rows), (folder / (verdicts ? "details.csv" : "table.csv")).string());
+  write_text(table_for_people(study, rows), (folder / "table.md").string());
   write_text(csv(orders), (folder / "orders.csv").string());
 }
 
@@ -100,6 +107,17 @@ int write_claims(const Study& study, const std::vector<Row>& rows, bool quick, c
   return unknown;
 }
 
+// Rows that are neither stable nor fail as expected.
+int complain_of_failed(const Study& study, const std::vector<Row>& rows) {
+  int failed = 0;
+  for (const JudgedRow& judged : judge(study.bounds, study.expectations, rows)) {
+    if (judged.verdict != JudgedRow::Verdict::failed) continue;
+    complain(fmt::format("{} {} {} {}: {}", study.name, judged.row->case_name, judged.row->method, judged.row->quantity, judged.reason));
+    ++failed;
+  }
+  return failed;
+}
+
 void update_readme(const Study& study, const std::string& table) {
   const std::string file = (fs::path(study.folder) / "README.md").string();
   try {
@@ -119,13 +137,13 @@ int run_one(const Study& study, const StudyCommand& command, const Engine& engin
   std::vector<Row> own;
   for (const Study& other : study.collected) failures += run_one(other, command, engine, own);
 
-  StudyOptions options{command.quick, command.command, print, [&](const StudyOutcome& so_far) { write_tables(so_far.rows, top); }};
+  StudyOptions options{command.quick, command.command, print, [&](const StudyOutcome& so_far) { write_tables(study, so_far.rows, top); }};
   const StudyOutcome outcome = run_study(study, engine, options);
-  failures += outcome.failures;
+  failures += study.bounds.empty() ? outcome.failures : complain_of_failed(study, outcome.rows);
   own.insert(own.end(), outcome.rows.begin(), outcome.rows.end());
-  write_tables(own, top);
+  write_tables(study, own, top);
   failures += write_series(study, outcome, top);
-  std::string table = markdown(own, orders_of(own));
+  std::string table = table_for_people(study, own);
   failures += write_claims(study, own, command.quick, top, table);
   failures += write_figures(study, top);
   if (command.update_readme) update_readme(study, table);

@@ -18,6 +18,7 @@ const std::vector<std::pair<std::string, Reduce>> reductions = {{"final", Reduce
                                                                 {"peak", Reduce::peak},
                                                                 {"mean", Reduce::mean},
                                                                 {"frequency", Reduce::frequency},
+                                                                {"period", Reduce::period},
                                                                 {"fibre_upper", Reduce::fibre_upper},
                                                                 {"fibre_lower", Reduce::fibre_lower},
                                                                 {"l2", Reduce::l2},
@@ -26,7 +27,18 @@ const std::vector<std::pair<std::string, Reduce>> reductions = {{"final", Reduce
 const std::vector<std::pair<std::string, SignRule>> signs = {
     {"as-is", SignRule::as_is}, {"reversed", SignRule::reversed}, {"magnitude", SignRule::magnitude}};
 const std::vector<std::string> energies = {"kinetic_energy", "strain_energy", "hourglass_energy", "external_work", "damping_loss", "viscosity_loss", "plastic_work", "contact_energy", "friction_loss"};
-const std::vector<std::string> scalars = {"surface_weight_loss"};
+
+std::vector<std::string> scalar_names() {
+  std::vector<std::string> names;
+  for (const auto& [name, si] : run_scalars()) names.push_back(name);
+  return names;
+}
+
+std::string scalar_unit(const std::string& scalar) {
+  for (const auto& [name, si] : run_scalars())
+    if (name == scalar) return si;
+  return "1";
+}
 
 bool of_section(Reduce reduce) {
   return reduce == Reduce::fibre_upper || reduce == Reduce::fibre_lower || reduce == Reduce::l2 || reduce == Reduce::moment;
@@ -105,9 +117,9 @@ Observed read_observed(Fields& fields, const std::optional<std::string>& scene, 
     fields.fault("probe", "expected one of \"probe\", \"section\", \"energy\" and \"scalar\" in " + fields.name());
     return observed;
   }
-  std::string si = scalar ? "1" : "J";
-  if (scalar && std::find(scalars.begin(), scalars.end(), *scalar) == scalars.end())
-    fields.fault("scalar", fmt::format("unknown scalar {}; expected {}{}", in_quotes(*scalar), one_of(scalars), did_you_mean(*scalar, scalars)));
+  std::string si = scalar ? scalar_unit(*scalar) : "J";
+  if (const auto known = scalar_names(); scalar && std::find(known.begin(), known.end(), *scalar) == known.end())
+    fields.fault("scalar", fmt::format("unknown scalar {}; expected {}{}", in_quotes(*scalar), one_of(known), did_you_mean(*scalar, known)));
   if (energy && std::find(energies.begin(), energies.end(), *energy) == energies.end())
     fields.fault("energy",
                  fmt::format("unknown energy {}; expected {}{}", in_quotes(*energy), one_of(energies), did_you_mean(*energy, energies)));
@@ -150,13 +162,20 @@ std::optional<std::string> read_scene_name(Fields& fields, const Study& study) {
   return {};
 }
 
+/// A number to compare with, such as reference = "25.18 mm", or a plain number where the unit is 1 or %.
+std::optional<double> read_reference(Fields& fields, const Unit& unit) {
+  if (unit.name == "1" || unit.name == "%" || unit.name == "1e-6") return fields.number("reference", Need::optional, fmt::format("a number in the unit of the quantity, {}", unit.name));
+  return fields.quantity("reference", Need::optional, Dimension{unit.name.c_str(), "a number with the unit of the quantity", unit.name.c_str()});
+}
+
 void one_quantity(Fields& fields, StudyReading& reading) {
   QuantitySpec quantity;
   quantity.name = fields.text("name", Need::required, "a name for the tables").value_or("");
   quantity.scene = read_scene_name(fields, reading.study);
+  quantity.methods = read_names(fields, "methods", method_labels(reading.study), "method");
   const auto reduce = fields.choice<Reduce>("reduce", Need::optional, reductions);
   quantity.reduce = reduce.value_or(Reduce::final);
-  const std::string si = quantity.reduce == Reduce::frequency ? "Hz" : quantity.reduce == Reduce::l2 ? "1" : quantity.reduce == Reduce::moment ? "N m" : "";
+  const std::string si = quantity.reduce == Reduce::frequency ? "Hz" : quantity.reduce == Reduce::period ? "s" : quantity.reduce == Reduce::l2 ? "1" : quantity.reduce == Reduce::moment ? "N m" : "";
   quantity.observed = read_observed(fields, quantity.scene, si, reading.study);
   if (quantity.reduce == Reduce::l2) quantity.observed.unit = {"%", 1};
   if (quantity.reduce == Reduce::excess) {
@@ -166,6 +185,8 @@ void one_quantity(Fields& fields, StudyReading& reading) {
   }
   quantity.sign = fields.choice<SignRule>("sign", Need::optional, signs).value_or(SignRule::as_is);
   quantity.theory = read_theory(fields, quantity.scene, reading.study);
+  quantity.reference = read_reference(fields, quantity.observed.unit);
+  if (quantity.theory && quantity.reference) fields.fault("reference", "both \"theory\" and \"reference\"; expected one of them");
   if (const auto window = fields.quantities("window", Need::optional, dimension::time)) {
     if (window->size() == 2 && (*window)[0] < (*window)[1]) quantity.window = {(*window)[0], (*window)[1]};
     else fields.fault("window", "\"window\" is no interval; expected two times, such as [\"10 us\", \"20 us\"]");

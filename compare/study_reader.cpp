@@ -50,6 +50,7 @@ Study parse(const std::string& text, const std::string& file, bool may_collect) 
   read_series(root, reading);
   read_paper(root, reading);
   read_claims(root, reading);
+  read_bounds(root, reading);
   root.done();
   if (faults.empty() && study.runs.empty() && study.collected.empty())
     faults.add({}, "the study runs nothing; expected [[runs]], or \"studies\" to collect");

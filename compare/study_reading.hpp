@@ -22,6 +22,7 @@ void read_quantities(Fields& root, StudyReading& reading);  // study_quantities.
 void read_series(Fields& root, StudyReading& reading);
 void read_paper(Fields& root, StudyReading& reading);  // study_claims.cpp
 void read_claims(Fields& root, StudyReading& reading);
+void read_bounds(Fields& root, StudyReading& reading);  // study_bounds.cpp: [[bounds]] and [[expectations]]
 
 /// "20x2" or "20x2x1". Nothing if it is neither.
 std::optional<std::array<int, 3>> parse_divisions(const std::string& text);

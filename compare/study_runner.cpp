@@ -58,6 +58,12 @@ void add_cost(const RunResult& result, const Scene& scene, Row& row) {
   if (scene.settling) row.settled = result.settled;
 }
 
+void add_drift(const RunResult& result, Row& row) {
+  const auto scalar = [&](const char* name) { return result.scalars.contains(name) ? std::optional(result.scalars.at(name)) : std::nullopt; };
+  row.energy_drift = scalar("energy_drift"), row.momentum_drift = scalar("momentum_drift");
+  row.angular_momentum_drift = scalar("angular_momentum_drift"), row.hourglass_share = scalar("hourglass_share");
+}
+
 void add_paper(const Study& study, Row& row) {
   for (const PaperNumber& number : study.paper) {
     if (!number.rows.matches(row)) continue;
@@ -75,14 +81,16 @@ const fem::StaticLimit* limit_of(const Limits& limits, const std::string& scene)
 }
 
 // The rows of one run; a quantity that cannot be taken is a row with the reason.
-std::vector<Row> rows_of(const Study& study, const PlannedRun& run, const RunResult* result, const std::string& failure,
-                         const Limits& limits) {
+std::vector<Row> rows_of(const Study& study, const PlannedRun& run, const RunResult* result, const RunResult& partial,
+                         const std::string& failure, const Limits& limits) {
   const Scene& scene = study.scenes.at(run.scene);
   std::vector<Row> rows;
   for (const QuantitySpec& quantity : study.quantities) {
-    if (quantity.scene && *quantity.scene != run.scene) continue;
+    if (!quantity.is_of(run)) continue;
     Row row = row_of(study, run, quantity);
     row.failure = failure;
+    add_drift(result ? *result : partial, row);
+    if (!result && partial.price.steps > 0) row.steps = double(partial.price.steps), row.cpu_s = partial.price.cpu;
     if (result) {
       add_cost(*result, scene, row);
       try {
@@ -120,7 +128,11 @@ void make_run(const Study& study, const PlannedRun& run, const Engine& engine, c
   run_options.march = run.march;
   run_options.label = fmt::format("{} {} {}", study.name, run.case_name, run.label);
   run_options.command = options.command;
-  run_options.scalars = std::any_of(study.quantities.begin(), study.quantities.end(), [](const QuantitySpec& q) { return !q.observed.scalar.empty(); });
+  for (const QuantitySpec& q : study.quantities)
+    if (!q.observed.scalar.empty() && q.is_of(run)) run_options.scalars.insert(q.observed.scalar);
+  if (!study.bounds.empty()) run_options.scalars.insert("energy_drift");
+  RunResult partial;
+  run_options.partial = &partial;
   std::optional<RunResult> result;
   std::string failure;
   try {
@@ -128,7 +140,7 @@ void make_run(const Study& study, const PlannedRun& run, const Engine& engine, c
   } catch (const std::exception& e) {
     failure = e.what();
   }
-  const auto rows = rows_of(study, run, result ? &*result : nullptr, failure, limits);
+  const auto rows = rows_of(study, run, result ? &*result : nullptr, partial, failure, limits);
   const bool lacking = std::any_of(rows.begin(), rows.end(), [](const Row& row) { return !row.value; });
   outcome.failures += lacking || !failure.empty();
   outcome.rows.insert(outcome.rows.end(), rows.begin(), rows.end());

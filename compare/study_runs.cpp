@@ -93,6 +93,10 @@ void one_block(Fields& fields, StudyReading& reading, int ladder) {
 
 }  // namespace
 
+bool QuantitySpec::is_of(const PlannedRun& run) const {
+  return (!scene || *scene == run.scene) && (methods.empty() || std::find(methods.begin(), methods.end(), run.label) != methods.end());
+}
+
 std::optional<std::array<int, 3>> parse_divisions(const std::string& text) {
   std::array<int, 3> cells{};
   const char *at = text.data(), *end = at + text.size();

@@ -19,6 +19,7 @@ struct Row {
   std::optional<double> steps, dt_s, cpu_s, wall_s, threads, points, ns_per_unit_step, energy_imbalance_percent, momentum_error;
   std::optional<bool> settled;
   std::string failure;  ///< why there is no value
+  std::optional<double> energy_drift, momentum_drift, angular_momentum_drift, hourglass_share;  ///< shares of 1; of studies with bounds
   int ladder = 0;       ///< rows of one ladder of spacings share it; not written
 };
 

@@ -1,9 +1,10 @@
 #pragma once
-// Cell list: which points lie within a radius of a point, in O(1) a query.
+// Cell list: which points lie within a radius of a point, in O(1) a query. Bounded in memory wherever the points are: a grid that would be
+// larger than its share folds space instead, cell c standing for c + n, c + 2 n, .. as well; what comes from far away so is a candidate
+// too many, never one too few. A point that is not a finite number is nobody's neighbour.
 
-#include <algorithm>
 #include <array>
-#include <cmath>
+#include <cstddef>
 #include <vector>
 
 #include "model/numerics/tensor.hpp"
@@ -16,54 +17,61 @@ class CellList {
   CellList() = default;
 
   /// Sorts the points into cells of edge `radius` (counting sort: points of a cell stay in index order).
-  void build(const std::vector<Point>& points, int dim, double radius) {
-    dim_ = dim;
-    cell_ = radius;
-    Point upper{};
-    for (int a = 0; a < 3; ++a) {
-      lower_[a] = upper[a] = points.empty() ? 0.0 : points[0][a];
-      for (const Point& p : points) {
-        lower_[a] = std::min(lower_[a], p[a]);
-        upper[a] = std::max(upper[a], p[a]);
-      }
-      count_[a] = a < dim ? int(std::min((upper[a] - lower_[a]) / cell_, 1e6)) + 1 : 1;
-    }
-    // A body scattered far apart must not ask for a huge empty grid.
-    while (double(count_[0]) * count_[1] * count_[2] > 4.0 * double(points.size()) + 1000) {
-      cell_ *= 1.5;
-      for (int a = 0; a < dim; ++a) count_[a] = int(std::min((upper[a] - lower_[a]) / cell_, 1e6)) + 1;
-    }
-    begin_.assign(std::size_t(count_[0]) * count_[1] * count_[2] + 1, 0);
-    for (const Point& p : points) ++begin_[index(p) + 1];
-    for (std::size_t c = 1; c < begin_.size(); ++c) begin_[c] += begin_[c - 1];
-    items_.resize(points.size());
-    std::vector<int> next(begin_.begin(), begin_.end() - 1);
-    for (std::size_t i = 0; i < points.size(); ++i) items_[std::size_t(next[index(points[i])]++)] = int(i);
-  }
+  void build(const std::vector<Point>& points, int dim, double radius);
 
-  /// Calls take(j) for every point in the cells around p: all points within `radius`, and some beyond.
+  /// Calls take(first, last) for runs of sorted points that hold every point within `radius` of p, each once, and some beyond.
+  template <class Take>
+  void runs(const Point& p, Take&& take) const {
+    Around around[3];
+    for (int a = 0; a < 3; ++a) around[a] = cells_around(p, a);
+    for (int k = 0; k < around[2].size; ++k)
+      for (int j = 0; j < around[1].size; ++j) {
+        const std::size_t row = std::size_t(count_[0]) * (std::size_t(around[1].cell[j]) + std::size_t(count_[1]) * std::size_t(around[2].cell[k]));
+        for (int i = 0; i < around[0].size;) {  // cells that follow each other are one run
+          const int first = i++;
+          while (i < around[0].size && around[0].cell[i] == around[0].cell[i - 1] + 1) ++i;
+          take(begin_[row + std::size_t(around[0].cell[first])], begin_[row + std::size_t(around[0].cell[i - 1]) + 1]);
+        }
+      }
+  }
+  /// Calls take(j) for every point of these runs.
   template <class Take>
   void around(const Point& p, Take&& take) const {
-    std::array<int, 3> c{};
-    for (int a = 0; a < dim_; ++a) c[a] = place(p, a);
-    for (int k = dim_ == 3 ? std::max(c[2] - 1, 0) : 0; k <= (dim_ == 3 ? std::min(c[2] + 1, count_[2] - 1) : 0); ++k)
-      for (int j = std::max(c[1] - 1, 0); j <= std::min(c[1] + 1, count_[1] - 1); ++j) {
-        const std::size_t row = std::size_t(count_[0]) * (std::size_t(j) + std::size_t(count_[1]) * k);
-        const int first = begin_[row + std::max(c[0] - 1, 0)], last = begin_[row + std::min(c[0] + 1, count_[0] - 1) + 1];
-        for (int m = first; m < last; ++m) take(items_[std::size_t(m)]);
-      }
+    runs(p, [&](int first, int last) {
+      for (int m = first; m < last; ++m) take(items_[std::size_t(m)]);
+    });
   }
 
+  const std::vector<int>& items() const { return items_; }                ///< sorted by cell
+  const std::vector<double>& sorted(int axis) const { return sorted_[axis]; }  ///< their coordinates
+  int fullest() const;                                                    ///< most points in one cell
+  int one_of_fullest() const;                                             ///< one of these points
+  std::size_t bytes() const { return (begin_.size() + items_.size()) * sizeof(int) + std::size_t(dim_) * items_.size() * sizeof(double); }
+
  private:
-  int place(const Point& p, int a) const { return std::clamp(int((p[a] - lower_[a]) / cell_), 0, count_[a] - 1); }
-  std::size_t index(const Point& p) const {
-    return std::size_t(place(p, 0)) + std::size_t(count_[0]) * (std::size_t(place(p, 1)) + std::size_t(count_[1]) * (dim_ == 3 ? place(p, 2) : 0));
+  /// The cells that a query visits along one axis.
+  struct Around {
+    int cell[3];
+    int size;
+  };
+  Around cells_around(const Point& p, int a) const {
+    const int c = place(p, a), n = count_[a];
+    if (folded_[a]) return {{c == 0 ? n - 1 : c - 1, c, c == n - 1 ? 0 : c + 1}, 3};
+    const int first = c > 0 ? c - 1 : 0, last = c < n - 1 ? c + 1 : n - 1;
+    return {{first, first + 1, first + 2}, last - first + 1};
   }
+  int place(const Point& p, int a) const;
+  std::size_t index(const Point& p) const {
+    return std::size_t(place(p, 0)) + std::size_t(count_[0]) * (std::size_t(place(p, 1)) + std::size_t(count_[1]) * std::size_t(place(p, 2)));
+  }
+
   int dim_ = 2;
   double cell_ = 1;
   Point lower_{};
   std::array<int, 3> count_{1, 1, 1};
+  std::array<bool, 3> folded_{};
   std::vector<int> begin_, items_;
+  std::array<std::vector<double>, 3> sorted_;
 };
 
 }  // namespace femsph::sph

@@ -27,7 +27,9 @@ std::unique_ptr<Discretization> discretize(const Scene& scene, std::size_t body,
   Particles particles = fill(shape, options, planes);
   const Kernel kernel(options.kernel, shape.dim(), options.smoothing * particles.spacing);
   add_mirrored(particles, planes, kernel.radius());
-  if (classic && scene.large_motion) return updated_lagrangian(scene, body, options, std::move(particles), kernel);
+  if (classic && scene.large_motion)
+    return shape.dim() == 2 ? updated_lagrangian<2>(scene, body, options, std::move(particles), kernel)
+                            : updated_lagrangian<3>(scene, body, options, std::move(particles), kernel);
   return shape.dim() == 2 ? total_lagrangian<2>(scene, body, options, std::move(particles), kernel)
                           : total_lagrangian<3>(scene, body, options, std::move(particles), kernel);
 }

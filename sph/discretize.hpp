@@ -13,6 +13,9 @@ extern template std::unique_ptr<Discretization> total_lagrangian<2>(const Scene&
 extern template std::unique_ptr<Discretization> total_lagrangian<3>(const Scene&, std::size_t, const Options&, Particles, const Kernel&);
 
 /// Classic SPH on updated neighbours with the Jaumann rate, for large motion.
+template <int dim>
 std::unique_ptr<Discretization> updated_lagrangian(const Scene& scene, std::size_t body, const Options& options, Particles particles, const Kernel& kernel);
+extern template std::unique_ptr<Discretization> updated_lagrangian<2>(const Scene&, std::size_t, const Options&, Particles, const Kernel&);
+extern template std::unique_ptr<Discretization> updated_lagrangian<3>(const Scene&, std::size_t, const Options&, Particles, const Kernel&);
 
 }  // namespace femsph::sph

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "model/numerics/simd.hpp"
 #include "sph/sph.hpp"
 
 namespace femsph::sph {
@@ -15,10 +16,11 @@ struct CubicSpline {
     if (q < 1) return 2.0 / 3 - q * q + 0.5 * q * q * q;
     return q < 2 ? (2 - q) * (2 - q) * (2 - q) / 6 : 0.0;
   }
-  /// -(dW/dq) / q, finite at q = 0.
-  static double steepness(double q) {
-    if (q < 1) return 2 - 1.5 * q;
-    return q < 2 ? 0.5 * (2 - q) * (2 - q) / q : 0.0;
+  /// -(dW/dq) / q, finite at q = 0. T is double or Pack.
+  template <class T>
+  FEMSPH_INLINE static T steepness(const T& q) {
+    const T left = select(q < 2.0, 2.0 - q, T{});
+    return select(q < 1.0, 2.0 - 1.5 * q, 0.5 * left * left / q);
   }
 };
 
@@ -30,10 +32,10 @@ struct WendlandC2 {
     const double s = 1 - 0.5 * q;
     return s * s * s * s * (2 * q + 1);
   }
-  static double steepness(double q) {
-    if (q >= 2) return 0;
-    const double s = 1 - 0.5 * q;
-    return 5 * s * s * s;
+  template <class T>
+  FEMSPH_INLINE static T steepness(const T& q) {
+    const T s = select(q < 2.0, 1.0 - 0.5 * q, T{});
+    return 5.0 * s * s * s;
   }
 };
 
@@ -41,6 +43,7 @@ struct WendlandC2 {
 class Kernel {
  public:
   Kernel(KernelKind kind, int dim, double h) : kind_(kind), h_(h), scale_(std::pow(h, -dim) * factor(kind, dim)) {}
+  KernelKind kind() const { return kind_; }
   double h() const { return h_; }
   double radius() const { return 2 * h_; }
   /// W(r), m^-dim.
@@ -51,8 +54,11 @@ class Kernel {
   /// -(dW/dr)/r >= 0, m^-(dim+2): grad_i W_ij = steepness(r) (x_j - x_i).
   double steepness(double r) const {
     const double q = r / h_;
-    return scale_ / (h_ * h_) * (kind_ == KernelKind::cubic_spline ? CubicSpline::steepness(q) : WendlandC2::steepness(q));
+    return steepness_factor() * (kind_ == KernelKind::cubic_spline ? CubicSpline::steepness(q) : WendlandC2::steepness(q));
   }
+
+  /// What a kernel's steepness of q = r/h takes to become that of r.
+  double steepness_factor() const { return scale_ / (h_ * h_); }
 
  private:
   static double factor(KernelKind kind, int dim) {

@@ -95,6 +95,35 @@ void whole_step(benchmark::State& state, int dim, compare::Method method, double
   state.counters["bytes"] = double(r.price.bytes) / double(r.price.units);
 }
 
+/// Classic SPH on updated neighbours, search included: a body of waves, its fastest particles 0.01 d a step (0.02 of the wave speed).
+void moving(benchmark::State& state, int dim, double cells, bool plastic, sph::Viscosity viscosity) {
+  set_threads(threads_of_bench);
+  double spacing = 0;
+  Scene scene = beam(dim, spacing, cells, plastic);
+  scene.large_motion = true;
+  compare::Method method = compare::method_named("sph-classic-share");
+  std::get<sph::Options>(method.options).smoothing = 1.2;
+  std::get<sph::Options>(method.options).viscosity = viscosity;
+  const auto d = compare::discretize(scene, 0, method, {spacing, {}});
+  const Layout& at = d->layout();
+  AlignedVector<double> shape(at.size, 0.0), u(at.size, 0.0), v(at.size, 0.0), f(at.size, 0.0), g(d->has_viscosity() ? at.size : 0, 0.0);
+  for (std::size_t i = 0; i < at.points; ++i)
+    for (int c = 0; c < dim; ++c) shape[at.at(i, c)] = std::sin(60 * d->position(i)[std::size_t(c + 1) % std::size_t(dim)]);
+  const double amplitude = 5 * spacing, turn = 0.01 / 5, dt = 1e-7;  // a(n) = 5 d sin(turn n)
+  long n = 0;
+  d->internal_force(u.data(), v.data(), 0, f.data(), g.empty() ? nullptr : g.data());
+  for (auto _ : state) {
+    ++n;
+    const double now = amplitude * std::sin(turn * double(n)), then = amplitude * std::sin(turn * double(n - 1));
+    for (std::size_t i = 0; i < at.size; ++i) u[i] = now * shape[i], v[i] = (now - then) / dt * shape[i];
+    const double start = cpu_seconds();
+    d->internal_force(u.data(), v.data(), dt, f.data(), g.empty() ? nullptr : g.data());
+    state.SetIterationTime(cpu_seconds() - start);
+  }
+  state.counters["units"] = double(d->units());
+  state.counters["bytes"] = double(d->bytes()) / double(d->units());
+}
+
 void triad(benchmark::State& state, std::size_t n) {
   AlignedVector<double> a(n, 0.0), b(n, 1.0), c(n, 2.0);
   for (auto _ : state) {
@@ -172,6 +201,14 @@ void register_all() {
     sph("h = 1.2 d", [](sph::Options& o) { o.smoothing = 1.2; });
     sph("h = 1.2 d, irregular", [](sph::Options& o) { o.smoothing = 1.2, o.jitter = 0.2; });
     sph("without hourglass control", [](sph::Options& o) { o.hourglass = 0; });
+    const auto updated = [&](const std::string& label, bool plastic, sph::Viscosity viscosity) {
+      benchmark::RegisterBenchmark((d + "sph-classic updated neighbours, h = 1.2 d" + label + "/step").c_str(),
+                                   [=](benchmark::State& s) { moving(s, dim, 1e5, plastic, viscosity); })
+          ->Repetitions(3)->ReportAggregatesOnly(true)->Unit(benchmark::kMicrosecond)->UseManualTime()->Iterations(60);
+    };
+    updated("", false, {});
+    updated(", with viscosity", false, {5, 5, 1});
+    updated(", with viscosity, plastic", true, {5, 5, 1});
     sph("with viscosity", [](sph::Options& o) { o.viscosity = {5, 5, 1}; }, "sph-classic-share");
   }
 }

@@ -1,0 +1,95 @@
+#include "model/motion/conservation.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "model/motion/vectors.hpp"
+
+namespace femsph {
+namespace {
+
+/// Calls take(x, v, m) for every point at a whole step: its place, undeformed for small motion, where that is what moments are kept about.
+template <class Take>
+void each_point(const March& march, Take&& take) {
+  const bool moved = march.scene().large_motion;
+  for (const MovingBody& body : march.bodies()) {
+    const Discretization& d = *body.discretization;
+    const Layout& at = d.layout();
+    for (std::size_t i = 0; i < at.points; ++i) {
+      Point x = d.position(i), v{};
+      for (int c = 0; c < at.dim; ++c) {
+        const std::size_t slot = at.at(i, c);
+        const double force = body.f[slot] + (body.viscous.empty() ? 0.0 : body.viscous[slot]);
+        if (moved) x[c] += body.u[slot];
+        v[c] = body.v[slot] + 0.5 * march.dt() * body.inverse_mass[slot] * force;
+      }
+      take(x, v, d.mass()[i]);
+    }
+  }
+}
+
+}  // namespace
+
+Conservation::Conservation(const March& march) {
+  const Scene& scene = march.scene();
+  free_ = scene.loads.empty() && scene.supports.empty() && scene.symmetries.empty() && !scene.gravity && !scene.damping && !scene.settling;
+  double mass = 0;
+  const auto add = [&](const Point& x, double m) {
+    mass += m;
+    centre_ = centre_ + m * x;
+  };
+  for (const MovingBody& body : march.bodies())
+    for (std::size_t i = 0; i < body.discretization->layout().points; ++i) add(body.discretization->position(i), body.discretization->mass()[i]);
+  for (const RigidBody& body : march.rigid_bodies()) add(body.start, body.mass);
+  centre_ = (1 / mass) * centre_;
+}
+
+void Conservation::sample_free(const March& march) {
+  std::array<Point, 2> now{};
+  std::array<double, 2> size{};
+  const auto add = [&](const Point& x, const Point& v, double m) {
+    const Point arm = x - centre_;
+    now[0] = now[0] + m * v;
+    now[1] = now[1] + m * cross(arm, v);
+    size[0] += m * norm(v);
+    size[1] += m * norm(arm) * norm(v);
+  };
+  each_point(march, add);
+  for (const RigidBody& body : march.rigid_bodies()) {
+    add(body.centre(), body.velocity_now(march.dt()), body.mass);
+    now[1] = now[1] + body.spin + 0.5 * march.dt() * body.moment;
+    size[1] += norm(body.spin);
+  }
+  if (!started_) start_ = now;
+  started_ = true;
+  for (int k = 0; k < 2; ++k) {
+    change_[k] = std::max(change_[k], norm(now[k] - start_[k]));
+    scale_[k] = std::max(scale_[k], size[k]);
+  }
+}
+
+void Conservation::sample(const March& march) {
+  const Ledger l = march.ledger();
+  imbalance_ = std::max(imbalance_, std::abs(l.imbalance()));
+  energy_ = std::max({energy_, l.stored(), l.initial + std::abs(l.external)});
+  hourglass_ = std::max(hourglass_, l.hourglass);
+  internal_ = std::max(internal_, l.strain + l.hourglass + l.plastic);
+  if (free_) sample_free(march);
+  else samples_.push_back({l.strain + l.hourglass, march.force_imbalance(), march.moment_imbalance()});
+}
+
+Drift Conservation::drift() const {
+  Drift d;
+  if (energy_ > 0) d.energy = imbalance_ / energy_;
+  if (internal_ > 0) d.hourglass = hourglass_ / internal_;
+  if (scale_[0] > 0) d.momentum = change_[0] / scale_[0];
+  if (scale_[1] > 0) d.angular_momentum = change_[1] / scale_[1];
+  for (const Sample& s : samples_) {
+    if (s.energy < 1e-6 * energy_) continue;
+    d.momentum = std::max(d.momentum, s.force);
+    d.angular_momentum = std::max(d.angular_momentum, s.moment);
+  }
+  return d;
+}
+
+}  // namespace femsph
