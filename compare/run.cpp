@@ -108,6 +108,8 @@ std::vector<std::pair<std::string, std::string>> derived_values(const March& mar
     if (march.step() > 0)
       out.emplace_back(pair.contact().name + " depth", fmt::format("{:.4g} m at most, {:.3g} of the spacing", pair.deepest(), pair.deepest_share()));
   }
+  for (const Ties::Bond& bond : march.ties().bonds())
+    out.emplace_back("contact " + bond.contact->name, fmt::format("{} points of {} tied to facets of {}", bond.end - bond.begin, march.bodies()[bond.from].name, march.bodies()[bond.onto].name));
   if (!march.contacts().empty())
     out.emplace_back("contact shortens the step", fmt::format("by {:.1f} %", 100 * (1 - march.critical_step() / march.critical_step_without_contact())));
   out.emplace_back("critical step", fmt::format("{:.6g} s", march.critical_step()));
