@@ -57,6 +57,7 @@ LoadedBox box_of(const Scene& scene, const std::string& theory) {
   check_supports(scene, box, theory);
   if (scene.loads.empty()) refuse(theory, "nothing loads it");
   for (const Load& load : scene.loads) {
+    if (load.pressure != 0) refuse(theory, "a load is a pressure");
     if (!names(load.place, "x+") && !on_plane(load.place, box.origin[0] + box.length, box.length)) refuse(theory, "a load is not on x+");
     for (const double factor : load.history.factor) box.step &= factor == load.history.factor.back();
     for (int c = 0; c < 3; ++c) box.force[c] += load.force[c] * load.history.factor.back();

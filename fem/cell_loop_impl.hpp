@@ -165,11 +165,15 @@ class Loop final : public StiffnessLoop<ElementType, dim, T> {
     std::vector<double> hourglass(batches_.count, 0.0), plastic(state_size == 0 ? 0 : batches_.count, 0.0);
     Energies sum;
     sum.strain = thickness_ * parallel_sum(batches_.count, [&](std::size_t begin, std::size_t end) {
-      EnergyObserver<LawType, dim> observer{material_};
-      observe(u, begin * lanes, std::min(end * lanes, batches_.cells), observer);
-      hourglass[begin] = observer.hourglass_;
-      if constexpr (state_size > 0) plastic[begin] = observer.plastic;
-      return observer.strain;
+      const std::size_t whole = std::min(end, batches_.cells / lanes);  // the last batch may repeat its last cell
+      EnergyObserver<LawType, dim, T> many{material_};
+      for (std::size_t b = begin; b < whole; ++b)
+        for (int lane = 0; lane < lanes; lane += lanes_of<T>) observe_cell<T>(u, b, lane, many);
+      EnergyObserver<LawType, dim, double> few{material_};
+      observe(u, std::max(begin, whole) * lanes, std::min(end * lanes, batches_.cells), few);
+      hourglass[begin] = horizontal_sum(many.hourglass_) + few.hourglass_;
+      if constexpr (state_size > 0) plastic[begin] = horizontal_sum(many.plastic) + few.plastic;
+      return horizontal_sum(many.strain) + few.strain;
     });
     for (const double part : hourglass) sum.hourglass += thickness_ * part;
     for (const double part : plastic) sum.plastic += thickness_ * part;
@@ -186,20 +190,25 @@ class Loop final : public StiffnessLoop<ElementType, dim, T> {
   }
 
  private:
-  void read_state(std::size_t b, int lane, double* state) const {
-    for (int k = 0; k < state_size; ++k) state[k] = state_[(b * state_size + k) * lanes + lane];
+  template <class S>
+  FEMSPH_INLINE void read_state(std::size_t b, int lane, S* state) const {
+    for (int k = 0; k < state_size; ++k) state[k] = load<S>(&state_[(b * state_size + k) * lanes + lane]);
   }
 
-  /// Shows the material points of cells begin .. end - 1 to the observer, and leaves the state alone.
+  /// Shows the material points of a cell (or of eight) to the observer, and leaves the state alone.
+  template <class S, class Observer>
+  void observe_cell(const double* u, std::size_t b, int lane, Observer& observer) const {
+    S f[size], state[state_size + 1];
+    read_state(b, lane, state);
+    this->template cell<Kinematics>(material_, b, lane, u, state, f, observer);
+  }
   template <class Observer>
   void observe(const double* u, std::size_t begin, std::size_t end, Observer& observer) const {
     for (std::size_t c = begin; c < end; ++c) {
       const std::size_t b = c / lanes;
       const int lane = static_cast<int>(c % lanes);
-      double f[size], state[state_size + 1];
-      read_state(b, lane, state);
       observer.enter(c * points, this->template axes<double>(b, lane));
-      this->template cell<Kinematics>(material_, b, lane, u, state, f, observer);
+      observe_cell<double>(u, b, lane, observer);
     }
   }
 

@@ -43,8 +43,7 @@ struct FullElement {
                                   Observer& observer) {
     const GaussCell<T, dim> x(X), y(u);
     GaussForce<T, dim> sum;
-#pragma GCC unroll 8
-    for (int q = 0; q < corners<dim>; ++q) {
+    const auto point = [&](int q) __attribute__((always_inline)) {
       Tensor<T, dim> C, P;
       const T det = cofactors<T, dim>(x.at(q), C);
       const Tensor<T, dim> H = displacement_gradient<T, dim>(y.at(q), C, 1.0 / det);
@@ -54,6 +53,13 @@ struct FullElement {
       observer.point(q, det, frame, strain, stress, history_of<LawType, dim>(state + q * point_state_size<LawType, dim>));
       Kinematics::template piola<T, dim>(frame, strain, stress, P);
       sum.add(q, P, C);
+    };
+    if constexpr (LawType::path_independent) {
+#pragma GCC unroll 8
+      for (int q = 0; q < corners<dim>; ++q) point(q);
+    } else {  // eight copies of a long body would not fit the processor's store of decoded instructions
+#pragma GCC unroll 1
+      for (int q = 0; q < corners<dim>; ++q) point(q);
     }
     sum.nodal(f);
   }

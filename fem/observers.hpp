@@ -7,18 +7,19 @@
 
 namespace femsph::fem {
 
-template <class LawType, int dim>
+/// Of one cell at a time, or of eight (S = Pack).
+template <class LawType, int dim, class S>
 struct EnergyObserver {
   const CellMaterial<LawType>& material;
-  double strain = 0, plastic = 0, hourglass_ = 0;
+  S strain{}, plastic{}, hourglass_{};
 
   void enter(std::size_t, const Tensor<double, dim>&) {}
   template <class Frame>
-  void point(int, double volume, const Frame&, const Symmetric<double, dim>& e, const Symmetric<double, dim>& s, const double* history) {
+  FEMSPH_INLINE void point(int, const S& volume, const Frame&, const Symmetric<S, dim>& e, const Symmetric<S, dim>& s, const S* history) {
     strain += volume * material.law.stored_energy(e, s, history);
     if constexpr (!LawType::path_independent) plastic += volume * material.law.plastic_work(history);
   }
-  void hourglass(double energy) { hourglass_ += energy; }
+  FEMSPH_INLINE void hourglass(const S& energy) { hourglass_ += energy; }
 };
 
 template <class Kinematics, class LawType, int dim>

@@ -127,6 +127,7 @@ class StaticSolver {
 
   /// Distributes a load over its place: shape functions integrated over the faces, edges or vertices on it, or over the body.
   void add_load(const Load& load, dealii::Vector<double>& force) const {
+    if (load.pressure != 0) throw std::runtime_error("the converged static limit takes forces, not a pressure");
     std::vector<double> share(dofs_.n_dofs(), 0.0);
     if (load.place.point) {
       for (const auto i : nearest(*load.place.point)) share[i] = 1;

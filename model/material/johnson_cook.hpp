@@ -48,13 +48,14 @@ FEMSPH_INLINE YieldStress<T> johnson_cook(const Plasticity& law, double dt, cons
   return {value, slope};
 }
 
-/// `guess` is the flow of the step before and takes that of this one.
+/// `guess` is the flow of the step before and takes that of this one. Where the strain stands still (|increment| < 1e-12) nothing flows: the
+/// stress that the rate holds up does not fall by being looked at once more.
 template <class T, int dim>
-FEMSPH_INLINE Flow<T> johnson_cook_return(const LinearElastic& elastic, const Plasticity& law, double dt, const T& p, const T& work, T& guess,
-                                          PointStress<T, dim>& s) {
+FEMSPH_INLINE Flow<T> johnson_cook_return(const LinearElastic& elastic, const Plasticity& law, double dt, const Symmetric<T, dim>& increment, const T& p,
+                                          const T& work, T& guess, PointStress<T, dim>& s) {
   const double stiffness = 3 * elastic.mu;
   const T q = von_mises(s), mean = s.mean();
-  const auto yielding = q > johnson_cook<T>(law, dt, p, T{}, work, q, T{}).value;
+  const auto yielding = (q > johnson_cook<T>(law, dt, p, T{}, work, q, T{}).value) & (contract(increment, increment) > 1e-24);
   if (!any(yielding)) {
     guess = T{};
     return {T{}, T{}};

@@ -4,12 +4,14 @@
 //   yield      f = q - Y,  q = sqrt(3/2 s:s) (von Mises),  Y = yield + hardening p   (linear isotropic hardening; eq. 8 of the paper)
 //   flow       d eps^p = dp 3 s / (2 q),  p the equivalent plastic strain
 //
-// A tension rule and the way the stress is integrated are parameters of the one law, so that it is compiled once for all of them:
-// update() works on eight points a call, and asks for the rule once a call. The pieces: return_mapping.hpp, no_return.hpp, tension.hpp.
+// A tension rule and the way the stress is integrated are parameters of the one law, so that it is compiled once for all of them. The
+// elastic step and the question whether any of eight points yields stand in the kernels; what follows then is one call, flow(), which
+// asks for the rule once. The pieces: return_mapping.hpp, no_return.hpp, tension.hpp.
 
 #include <optional>
 
 #include "model/material/linear_elastic.hpp"
+#include "model/material/point_stress.hpp"
 
 namespace femsph {
 
@@ -59,9 +61,39 @@ struct Plastic {
   static constexpr int history_size = dim == 2 ? 4 : 3;
   static constexpr bool path_independent = false;
 
-  /// Advances a point by a strain increment; in plastic.cpp, for T = double and Pack, dim = 2 and 3.
+  /// Advances a point by a strain increment. Where no lane yields, of the history only p is read, and nothing of it written in plane
+  /// stress and space: most of a body's points cost little more than elastic ones.
   template <class T, int dim>
-  void update(const Symmetric<T, dim>& increment, Symmetric<T, dim>& stress, T* history) const;
+  FEMSPH_INLINE void update(const Symmetric<T, dim>& increment, Symmetric<T, dim>& stress, T* history) const {
+    if (parameters.integration == Integration::return_mapping && parameters.tension == TensionRule::none && !parameters.johnson_cook) {
+      const plastic::PointStress<T, dim> trial = elastic_step(increment, stress, history);
+      const T yield = parameters.yield + parameters.hardening * history[equivalent_strain];
+      if (!any(plastic::von_mises_square(trial) > yield * yield)) {
+        stress = trial.in;
+        if constexpr (dim == 2) {
+          if (base.plane == Plane::strain) history[across] = trial.across;
+        }
+        return;
+      }
+    }
+    const Symmetric<T, dim> by = increment;  // copies: what the kernel holds in registers must not have an address
+    Symmetric<T, dim> to = stress;
+    flow(by, to, history);
+    stress = to;
+  }
+
+  /// update() by any rule, whether points yield or not; in plastic.cpp, for T = double and Pack, dim = 2 and 3.
+  template <class T, int dim>
+  void flow(const Symmetric<T, dim>& increment, Symmetric<T, dim>& stress, T* history) const;
+
+  /// The stress as if the step were elastic.
+  template <class T, int dim>
+  FEMSPH_INLINE plastic::PointStress<T, dim> elastic_step(const Symmetric<T, dim>& increment, const Symmetric<T, dim>& stress, const T* history) const {
+    plastic::PointStress<T, dim> trial{stress, stress_across<T, dim>(history)};
+    base.update<T, dim>(increment, trial.in, nullptr);
+    if (dim == 2 && base.plane == Plane::strain) trial.across += base.lambda * trace(increment);
+    return trial;
+  }
 
   /// a : C^-1 : b of three-dimensional stresses, the components across the plane given apart in 2D:
   /// (a:b - nu/(1 + nu) tr a tr b) / 2G.
