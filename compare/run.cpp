@@ -157,7 +157,7 @@ bool asks_for_drift(const std::set<std::string>& scalars) {
 }  // namespace
 
 RunResult run_scene(const Scene& scene, const Method& method, const Resolution& resolution, const RunOptions& options) {
-  const double start = wall_seconds();
+  const double start = wall_seconds(), start_cpu = cpu_seconds();
   std::vector<std::unique_ptr<Discretization>> bodies;
   for (std::size_t b = 0; b < scene.bodies.size(); ++b)
     if (!scene.bodies[b].rigid) bodies.push_back(discretize(scene, b, method, resolution));
@@ -180,7 +180,9 @@ RunResult run_scene(const Scene& scene, const Method& method, const Resolution& 
   events.progress = [&](const March& m) { progress.show(m.step(), m.planned_steps(), m.time()); };
   try {
     march.run(events);
+    march.price().total_cpu = cpu_seconds() - start_cpu;
   } catch (const MotionError& error) {
+    march.price().total_cpu = cpu_seconds() - start_cpu;
     if (output) output->finish(march, recorder, error.what(), false);
     if (options.partial) *options.partial = result_of(march, recorder, conservation);
     throw;
