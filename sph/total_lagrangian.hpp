@@ -40,11 +40,12 @@ class TotalLagrangian final : public ParticleBody {
     return ParticleBody::bytes() + stencils_.bytes() + (adjoint_ ? adjoint_->bytes() : 0) + (viscosity_ ? viscosity_->bytes() : 0) + arrays * sizeof(double);
   }
 
-  void internal_force(const double* given, const double* v, double, double* f, double* viscous) override {
+  void internal_force(const double* given, const double* v, [[maybe_unused]] double dt, double* f, double* viscous) override {
+    if constexpr (requires { law_.set_step(dt); }) law_.set_step(dt);
     const double* u = with_mirrored(given);
     strain_to_stress<Kinematics>(u, [&](std::size_t block, const Symmetric<Pack, dim>& strain) __attribute__((always_inline)) {
       if constexpr (n_state == 0) return law_.stress(strain);
-      else return advance_law<LawType, Pack, dim>(law_, strain, reinterpret_cast<Pack*>(&state_[block * n_state * lanes]));
+      else return advance_law<LawType, Pack, dim, Kinematics>(law_, strain, reinterpret_cast<Pack*>(&state_[block * n_state * lanes]));
     });
     add_bars<Kinematics>(u, bars_.pieces, [](const BarLaw& law, double strain, BarState& state) { return law.advance(strain, state); });
     mirror_stress();
@@ -105,6 +106,25 @@ class TotalLagrangian final : public ParticleBody {
       });
       return 0.5 * kappa_ * volume(block) * sum;
     });
+  }
+
+  /// det F <= 0 at a particle.
+  std::optional<Trouble> trouble(const double* given) const override {
+    const double* u = with_mirrored(given);
+    AlignedVector<double> det(stencils_.blocks() * lanes);
+    parallel_for(stencils_.blocks() * lanes, lanes, [&](std::size_t begin, std::size_t end) {
+      for (std::size_t block = begin / lanes; block < end / lanes; ++block) {
+        Tensor<Pack, dim> F;
+        Pack L[dim];
+        gradient<false>(block, u, F, L);
+        for (int a = 0; a < dim; ++a) F[a][a] += 1.0;
+        Pack d = F[0][0] * F[1][1] - F[0][1] * F[1][0];
+        if constexpr (dim == 3)
+          d = d * F[2][2] + (F[0][2] * F[1][0] - F[0][0] * F[1][2]) * F[2][1] + (F[0][1] * F[1][2] - F[0][2] * F[1][1]) * F[2][0];
+        store(&det[block * lanes], d);
+      }
+    });
+    return inside_out(det, u);
   }
 
   void state(Archive& archive) override {
@@ -242,7 +262,8 @@ class TotalLagrangian final : public ParticleBody {
         gradient<hourglass>(block, u, H, L);
         Symmetric<Pack, dim> strain;
         const auto frame = Motion::template strain<Pack, dim>(H, strain);
-        Motion::template piola<Pack, dim>(frame, stress_of(block, strain), P);
+        const Symmetric<Pack, dim> stress = stress_of(block, strain);
+        Motion::template piola<Pack, dim>(frame, strain, stress, P);
         if constexpr (corrected) P = times_correction(block, P);
         if constexpr (hourglass)
           for (int r = 0; r < dim; ++r) {

@@ -1,17 +1,38 @@
 #pragma once
 // From the displacement gradient of a material point to its first Piola-Kirchhoff stress: the piece between "gradient" and
-// "divergence" that both solvers share. Total Lagrangian; two kinds of motion:
+// "divergence" that both solvers share. Total Lagrangian; three kinds of motion:
 //   SmallStrain      strain = sym H, P = sigma
 //   FiniteRotation   F = I + H = R U; the law sees U - I in the co-rotated frame and gives its work conjugate T (Biot stress); P = R T.
-//                    Exact under any rigid rotation (see e.g. Ogden, Non-Linear Elastic Deformations, 2.2 and 3.5).
+//                    Exact under any rigid rotation (see e.g. Ogden, Non-Linear Elastic Deformations, 2.2 and 3.5). For laws with an
+//                    energy, whose T is coaxial with U.
+//   LargeStrain      for laws that carry their stress from step to step: they see the co-rotated rate of deformation, times the step,
+//                      d = sym(dU Umid^-1),  Umid = (U_n + U_n+1)/2,
+//                    and what they give is the co-rotated Kirchhoff stress tau = J R^T sigma R, which works on d per undeformed volume. So
+//                    a metal's yield stress is (to its small elastic strain of volume) a true stress, and its stretches add up as
+//                    logarithms. The rate of tau is the Green-Naghdi rate (Simo & Hughes, Computational Inelasticity, 8.3).
+//                    P = R tau U^-1, so that P F^T = R tau R^T is symmetric: angular momentum is kept whatever tau.
 
-#include <cstdint>
+#include <type_traits>
 
 #include "model/material/law.hpp"
+#include "model/material/stretch.hpp"
 
 namespace femsph {
 
-struct SmallStrain {
+/// The law's strain is a difference of two: increments add up, and the law's stress is conjugate to it.
+struct AddedStrain {
+  template <class T, int dim>
+  FEMSPH_INLINE static Symmetric<T, dim> increment(const Symmetric<T, dim>& before, const Symmetric<T, dim>& now) {
+    Symmetric<T, dim> d;
+    for (int k = 0; k < symmetric_size<dim>; ++k) d[k] = now[k] - before[k];
+    return d;
+  }
+  /// The stress that works on the rate of `strain`, of the law's stress.
+  template <class T, int dim>
+  FEMSPH_INLINE static Symmetric<T, dim> conjugate(const Symmetric<T, dim>&, const Symmetric<T, dim>& stress) { return stress; }
+};
+
+struct SmallStrain : AddedStrain {
   template <class T, int dim>
   struct Frame {};  // the axes do not turn
 
@@ -24,7 +45,7 @@ struct SmallStrain {
   }
 
   template <class T, int dim>
-  FEMSPH_INLINE static void piola(const Frame<T, dim>&, const Symmetric<T, dim>& s, Tensor<T, dim>& P) {
+  FEMSPH_INLINE static void piola(const Frame<T, dim>&, const Symmetric<T, dim>&, const Symmetric<T, dim>& s, Tensor<T, dim>& P) {
     for (int i = 0; i < dim; ++i)
       for (int j = 0; j < dim; ++j) P[i][j] = s(i, j);
   }
@@ -94,7 +115,7 @@ FEMSPH_INLINE Tensor<T, dim> polar_rotation(const Tensor<T, dim>& F) {
   return R;
 }
 
-struct FiniteRotation {
+struct FiniteRotation : AddedStrain {
   template <class T, int dim>
   using Frame = Tensor<T, dim>;
 
@@ -113,7 +134,7 @@ struct FiniteRotation {
   }
 
   template <class T, int dim>
-  FEMSPH_INLINE static void piola(const Frame<T, dim>& R, const Symmetric<T, dim>& s, Tensor<T, dim>& P) {
+  FEMSPH_INLINE static void piola(const Frame<T, dim>& R, const Symmetric<T, dim>&, const Symmetric<T, dim>& s, Tensor<T, dim>& P) {
     for (int i = 0; i < dim; ++i)
       for (int j = 0; j < dim; ++j) {
         T p = R[i][0] * s(0, j);
@@ -122,6 +143,55 @@ struct FiniteRotation {
       }
   }
 };
+
+struct LargeStrain {
+  template <class T, int dim>
+  using Frame = Tensor<T, dim>;
+
+  template <class T, int dim>
+  FEMSPH_INLINE static Frame<T, dim> strain(const Tensor<T, dim>& H, Symmetric<T, dim>& e) { return FiniteRotation::strain<T, dim>(H, e); }
+
+  /// The midpoint rule: over a stretch by 1 + x in one step it errs by x^3/12, over a path by the square of the step.
+  template <class T, int dim>
+  FEMSPH_INLINE static Symmetric<T, dim> increment(const Symmetric<T, dim>& before, const Symmetric<T, dim>& now) {
+    Symmetric<T, dim> d, middle;
+    for (int k = 0; k < symmetric_size<dim>; ++k) {
+      d[k] = now[k] - before[k];
+      middle[k] = 0.5 * (now[k] + before[k]);
+    }
+    return symmetric_product(d, inverse_stretch(middle));
+  }
+  /// sym(U^-1 tau): the Biot stress.
+  template <class T, int dim>
+  FEMSPH_INLINE static Symmetric<T, dim> conjugate(const Symmetric<T, dim>& strain, const Symmetric<T, dim>& stress) {
+    return symmetric_product(stress, inverse_stretch(strain));
+  }
+
+  template <class T, int dim>
+  FEMSPH_INLINE static void piola(const Frame<T, dim>& R, const Symmetric<T, dim>& e, const Symmetric<T, dim>& s, Tensor<T, dim>& P) {
+    const Symmetric<T, dim> inverse = inverse_stretch(e);
+    Tensor<T, dim> B;
+    for (int i = 0; i < dim; ++i)
+      for (int j = 0; j < dim; ++j) {
+        B[i][j] = s(i, 0) * inverse(0, j);
+        for (int k = 1; k < dim; ++k) B[i][j] += s(i, k) * inverse(k, j);
+      }
+    for (int i = 0; i < dim; ++i)
+      for (int j = 0; j < dim; ++j) {
+        T p = R[i][0] * B[0][j];
+        for (int k = 1; k < dim; ++k) p += R[i][k] * B[k][j];
+        P[i][j] = p;
+      }
+  }
+};
+
+/// The kinematics of large motion that a law is made for.
+template <class LawType>
+using LargeMotion = std::conditional_t<LawType::path_independent, FiniteRotation, LargeStrain>;
+
+/// Laws that are another one in small strain; no kernel is made for them there.
+template <class LawType>
+concept LargeMotionOnly = requires { LawType::large_motion_only; };
 
 /// Doubles of state that a material point of this law keeps between steps: nothing if the stress follows from the strain,
 /// else stress, strain and the law's own history.
@@ -137,24 +207,27 @@ FEMSPH_INLINE T* history_of(T* state) {
 }
 
 /// strain -> stress of one material point (or of eight): reads and advances `state` (point_state_size<LawType, dim> values).
-template <class LawType, class T, int dim>
+template <class LawType, class T, int dim, class Kinematics = SmallStrain>
 FEMSPH_INLINE Symmetric<T, dim> advance_law(const LawType& law, const Symmetric<T, dim>& strain, [[maybe_unused]] T* state) {
   if constexpr (LawType::path_independent) {
     return law.stress(strain);
   } else {
     constexpr int n = symmetric_size<dim>;
     // The state is the bulk of what such a law reads and writes, and its lines come in bursts that the processor does not foresee:
-    // ask for the point after the next (beyond the end of the array that does nothing; as a number, since no pointer may point there).
-    constexpr std::uintptr_t size = point_state_size<LawType, dim> * sizeof(T);
-    if constexpr (lanes_of<T> == lanes)
-      for (std::uintptr_t at = 2 * size; at < 3 * size; at += sizeof(T)) __builtin_prefetch(reinterpret_cast<const void*>(reinterpret_cast<std::uintptr_t>(state) + at), 1);
-    Symmetric<T, dim> stress, increment;
+    // ask for the point after the next (beyond the end of the array a prefetch does nothing).
+    constexpr int size = point_state_size<LawType, dim>;
+    if constexpr (lanes_of<T> == lanes) {
+      const T* ahead = state + 2 * size;
+      asm("" : "+r"(ahead));  // hides from the compiler's warnings that it may point beyond the array
+      for (int k = 0; k < size; ++k) __builtin_prefetch(ahead + k, 1);
+    }
+    Symmetric<T, dim> stress, before;
     for (int k = 0; k < n; ++k) {
       stress[k] = state[k];
-      increment[k] = strain[k] - state[n + k];
+      before[k] = state[n + k];
       state[n + k] = strain[k];
     }
-    law.update(increment, stress, state + 2 * n);
+    law.update(Kinematics::template increment<T, dim>(before, strain), stress, state + 2 * n);
     for (int k = 0; k < n; ++k) state[k] = stress[k];
     return stress;
   }

@@ -1,5 +1,6 @@
 #include "model/material/plastic.hpp"
 
+#include "model/material/johnson_cook.hpp"
 #include "model/material/no_return.hpp"
 #include "model/material/return_mapping.hpp"
 #include "model/material/tension.hpp"
@@ -44,7 +45,8 @@ void Plastic::flow(const Symmetric<T, dim>& increment, Symmetric<T, dim>& stress
   const PointStress<T, dim> before{stress, stress_across<T, dim>(history)}, trial = elastic_step(increment, stress, history);
   PointStress<T, dim> now = trial;
   const T initial = initial_yield(p, trial), yield = initial + growth(base, p, history);
-  const Flow<T> step = p.integration == Integration::return_mapping
+  const Flow<T> step = p.johnson_cook ? johnson_cook_return(base, p, this->step, increment, history[equivalent_strain], history[work], history[excess], now)
+                       : p.integration == Integration::return_mapping
                            ? return_to_surface(base, p.hardening, yield, now)
                            : tangent_step<T, dim>(base, p.hardening, yield, increment, before, now);
   if (p.tension == TensionRule::principal) cut_tension(p.tensile_strength, now);

@@ -8,6 +8,8 @@
 // elastic step, the question whether any of eight points yields, and the radial return stand in the kernels; everything else is one call,
 // flow(), which asks for the rule once. The pieces: return_mapping.hpp, no_return.hpp, tension.hpp.
 
+#include <optional>
+
 #include "model/material/return_mapping.hpp"
 
 namespace femsph {
@@ -27,6 +29,14 @@ enum class Integration {
   modulus_mistaken,  ///< hypothesis 8: as 1, but Y grows by E dp where H belongs (a slip in eq. 10)
 };
 
+/// What johnson_cook.hpp says; C = 0 for no effect of the rate, melting = 0 for none of the heat.
+struct JohnsonCook {
+  double B = 0, n = 1;            ///< Pa, 1
+  double C = 0, rate = 1;         ///< 1, pdot_0 in 1/s
+  double m = 1, melting = 0, room = 0, start = 0;  ///< 1, K: T_melt, T_room, T_0
+  double heating = 0;             ///< chi / (rho c), K m^3/J
+};
+
 /// What a material says about its plasticity.
 struct Plasticity {
   double yield = 0;      ///< Pa
@@ -34,13 +44,16 @@ struct Plasticity {
   TensionRule tension = TensionRule::none;
   double tensile_strength = 0;  ///< Pa; sign and principal only
   Integration integration = Integration::return_mapping;
+  std::optional<JohnsonCook> johnson_cook = {};  ///< in place of `hardening`; with return mapping and without a tension rule only
 };
 
 struct Plastic {
   LinearElastic base;
   Plasticity parameters;
+  double step = 0;  ///< s, that the next increments take; 0: unknown
+  void set_step(double dt) { step = dt; }
 
-  /// History of a point. `excess` is how far the largest equivalent stress so far passed the initial yield stress (hypothesis 3 only);
+  /// History of a point. `excess` is how far the largest equivalent stress so far passed the initial yield stress (hypothesis 3), or the flow of the last step (Johnson-Cook);
   /// `across` is the stress normal to the plane in plane strain, the plastic strain normal to the plane in plane stress.
   enum Slot { equivalent_strain, work, excess, across };
   template <int dim>
@@ -51,7 +64,7 @@ struct Plastic {
   /// stress and space: most of a body's points cost little more than elastic ones.
   template <class T, int dim>
   FEMSPH_INLINE void update(const Symmetric<T, dim>& increment, Symmetric<T, dim>& stress, T* history) const {
-    if (parameters.integration == Integration::return_mapping && parameters.tension == TensionRule::none) {
+    if (parameters.integration == Integration::return_mapping && parameters.tension == TensionRule::none && !parameters.johnson_cook) {
       const plastic::PointStress<T, dim> trial = elastic_step(increment, stress, history);
       const T yield = parameters.yield + parameters.hardening * history[equivalent_strain];
       if (!any(plastic::von_mises_square(trial) > yield * yield)) {
@@ -132,7 +145,7 @@ struct Plastic {
 
   const LinearElastic& elastic() const { return base; }
   double wave_speed() const { return base.wave_speed(); }
-  double thickness_stress(const Symmetric<double, 2>&, const double* history) const { return stress_across<double, 2>(history); }
+  double thickness_stress(const Symmetric<double, 2>&, const Symmetric<double, 2>&, const double* history) const { return stress_across<double, 2>(history); }
   /// 0 in plane strain; in plane stress the elastic part -nu/E (sxx + syy) and the plastic part.
   double thickness_strain(const Symmetric<double, 2>&, const Symmetric<double, 2>& s, const double* history) const {
     if (base.plane != Plane::stress) return 0;

@@ -7,6 +7,7 @@
 
 #include "model/motion/critical_step.hpp"
 #include "model/motion/march.hpp"
+#include "model/motion/vectors.hpp"
 #include "model/numerics/parallel.hpp"
 
 namespace femsph {
@@ -36,6 +37,9 @@ March::March(const Scene& scene, std::vector<std::unique_ptr<Discretization>> bo
   price_.dt = dt_;
   if (dt_ > critical_)
     throw MotionError(fmt::format("the step {:.4g} s is over the limit: the largest stable step is {:.4g} s; march with --safety 0.9 instead", dt_, critical_));
+  if (!(scene.duration / dt_ < 1e12))
+    throw MotionError(fmt::format("a duration of {:.4g} s takes {:.2g} steps of {:.4g} s, which no machine marches; shorten [time] duration, or take a coarser spacing",
+                                  scene.duration, scene.duration / dt_, dt_));
 }
 
 void March::place_supports_and_loads(MovingBody& body, std::size_t index) {
@@ -88,10 +92,43 @@ void March::place_supports_and_loads(MovingBody& body, std::size_t index) {
   for (std::size_t l = 0; l < scene_.loads.size(); ++l) {
     const Load& load = scene_.loads[l];
     if (load.place.body != index) continue;
+    if (load.pressure != 0) {
+      place_pressure(body, l, points_of(load.place, "load"));
+      continue;
+    }
     for (const Weight& w : points_of(load.place, "load"))
       for (int c = 0; c < at.dim; ++c)
         if (load.force[c] != 0) body.loads.push_back({at.at(w.point, c), w.weight * load.force[c], l});
   }
+}
+
+/// -p A of every facet of the boundary whose points all lie on the place, in equal parts to its points; A its outward area vector.
+void March::place_pressure(MovingBody& body, std::size_t load, const std::vector<Weight>& points) {
+  const Discretization& d = *body.discretization;
+  const Layout& at = d.layout();
+  const double thickness = at.dim == 2 ? scene_.bodies[body.index].thickness : 1.0, pressure = scene_.loads[load].pressure;
+  const auto there = [&](std::size_t p) {
+    return std::binary_search(points.begin(), points.end(), Weight{p, 0}, [](const Weight& a, const Weight& b) { return a.point < b.point; });
+  };
+  const std::size_t corners = at.dim == 2 ? 2 : 4;
+  bool any = false;
+  for (const Facet& facet : d.boundary()) {
+    if (!std::all_of(facet.points.begin(), facet.points.begin() + std::ptrdiff_t(corners), there)) continue;
+    any = true;
+    Point x[4], area{};
+    for (std::size_t k = 0; k < corners; ++k) x[k] = d.position(facet.points[k]);
+    if (at.dim == 2) area = {thickness * (x[1][1] - x[0][1]), thickness * (x[0][0] - x[1][0]), 0};  // the body lies to the left
+    else {
+      const Point a = x[2] - x[0], b = x[3] - x[1];
+      area = 0.5 * cross(a, b);
+    }
+    for (std::size_t k = 0; k < corners; ++k)
+      for (int c = 0; c < at.dim; ++c) body.loads.push_back({at.at(facet.points[k], c), -pressure * area[c] / double(corners), load});
+  }
+  const Place& place = scene_.loads[load].place;
+  if (!any)
+    throw MotionError(fmt::format("{}:{}:{}: this pressure finds no piece of the boundary of body \"{}\" ({}); use a finer spacing", scene_.file,
+                                  place.source.line, place.source.column, body.name, d.describe()));
 }
 
 void March::place_mean_support(MovingBody& body, const Support& support, const std::vector<Weight>& points) {
@@ -222,25 +259,6 @@ double March::moment_imbalance() const {
     if (all > 0) worst = std::max(worst, (std::abs(sum[0]) + std::abs(sum[1]) + std::abs(sum[2])) / all);
   }
   return worst;
-}
-
-void March::fail(const std::string& what, const std::string& advice) const {
-  // The point that moves fastest is the likeliest place.
-  std::string place = "unknown";
-  double fastest = -1;
-  for (const MovingBody& body : bodies_) {
-    const Layout& at = body.discretization->layout();
-    for (std::size_t i = 0; i < at.points; ++i) {
-      double speed = 0;
-      for (int c = 0; c < at.dim; ++c) speed += body.v[at.at(i, c)] * body.v[at.at(i, c)];
-      if (speed <= fastest) continue;
-      if (std::isfinite(speed)) fastest = speed;
-      const Point x = body.discretization->position(i);
-      place = fmt::format("body \"{}\", point {} at ({:.6g}, {:.6g}, {:.6g}) m", body.name, i, x[0], x[1], x[2]);
-      if (!std::isfinite(speed)) break;
-    }
-  }
-  throw MotionError(fmt::format("stopped at step {} (t = {:.6g} s), {}: {}; {}", step_, time(), place, what, advice));
 }
 
 }  // namespace femsph
