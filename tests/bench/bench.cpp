@@ -84,7 +84,7 @@ int main(int argc, char** argv) {
       for (const Case& c : methods()) add("method", c.name, quick, [=](benchmark::State& s) { step(s, c); });
       for (const Case& c : effects()) {
         if (!c.without.empty()) without[c.name] = c.without;
-        add("effect", c.name, quick, [=](benchmark::State& s) { march_step(s, c); }, 2);
+        add("effect", c.name, quick, [=](benchmark::State& s) { march_step(s, c); }, 1);
       }
     }
     Collector collector;
