@@ -94,8 +94,9 @@ std::size_t ExplicitFem::bytes() const {
          batches_.bytes() + locator_.bytes() + loop_->bytes() + bars_.bytes();
 }
 
-void ExplicitFem::internal_force(const double* u, const double*, double, double* f, double*) {
+void ExplicitFem::internal_force(const double* u, const double*, double dt, double* f, double*) {
   std::fill(f, f + layout_.size, 0.0);
+  loop_->set_step(dt);
   loop_->add_force(u, f);
   batches_.sum_ghosts(f, mesh_.dim);
   bars_.add_force(u, f);

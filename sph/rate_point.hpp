@@ -55,7 +55,7 @@ struct RatePoint {
     const double *s = own + stress, *e = own + strain;
     if constexpr (dim == 2) {
       const Symmetric<double, 2> in{s[0], s[1], s[2]}, by{e[0], e[1], e[2]};
-      stress_out = {s[0], s[1], law.thickness_stress(in, own + history), s[2], 0, 0};
+      stress_out = {s[0], s[1], law.thickness_stress(by, in, own + history), s[2], 0, 0};
       strain_out = {e[0], e[1], law.thickness_strain(by, in, own + history), e[2], 0, 0};
     } else {
       for (std::size_t c = 0; c < 6; ++c) stress_out[c] = s[c], strain_out[c] = e[c];

@@ -72,7 +72,7 @@ struct StretchPoint {
     FiniteRotation::strain<Pack, dim>(H, e);
     return volume / determinant(F) * law.stored_energy(e, e, static_cast<const Pack*>(nullptr));  // the law's is per undeformed volume
   }
-  FEMSPH_INLINE static Pack lost(const Pack*) { return {}; }
+  FEMSPH_INLINE static Pack lost(const Pack*) { return Pack{}; }
 
   static void show(const Law& law, const double* own, std::array<double, 6>& stress_out, std::array<double, 6>& strain_out) {
     Tensor<double, dim> H;

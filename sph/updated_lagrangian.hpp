@@ -9,16 +9,18 @@
 
 #include <algorithm>
 
+#include "model/material/kinematics.hpp"
 #include "sph/discretize.hpp"
 #include "sph/moving_neighbours.hpp"
 #include "sph/particle_records.hpp"
 #include "sph/rate_point.hpp"
+#include "sph/stretch_point.hpp"
 
 namespace femsph::sph {
 
 /// What a particle of this law carries.
 template <int dim, class LawType>
-using UpdatedPoint = RatePoint<dim, LawType>;
+using UpdatedPoint = std::conditional_t<LargeMotionOnly<LawType>, StretchPoint<dim, LawType>, RatePoint<dim, LawType>>;
 
 template <int dim, class LawType>
 class UpdatedLagrangian final : public ParticleBody {
@@ -31,7 +33,9 @@ class UpdatedLagrangian final : public ParticleBody {
         neighbours_(particles_.position, layout_, kernel.radius(), 0.3 * particles_.spacing) {
     Scene small = scene;  // the undeformed body moves little: its stiffness is that of the fixed neighbours
     small.large_motion = false;
-    small.materials.at(small.bodies[body].material).plasticity.reset();
+    Material& material = small.materials.at(small.bodies[body].material);
+    material.plasticity.reset();
+    material.neo_hookean = false;
     small_ = discretize(small, body, options);
     start_.assign(layout_.size, 0.0);
     volume_.assign(blocks_ * lanes, 0.0);
