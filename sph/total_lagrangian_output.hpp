@@ -1,5 +1,5 @@
 #pragma once
-// The rest of total_lagrangian.hpp: energies, bars and the states of material points.
+// The rest of total_lagrangian.hpp: energies, bars, the states of material points, and where it ends.
 
 #include "model/material/spatial_state.hpp"
 #include "sph/total_lagrangian.hpp"
@@ -93,6 +93,26 @@ void TotalLagrangian<dim, Stencils, Kinematics, LawType, correction>::material_s
       out.plastic[k] = law_.plastic_strain(own);
     }
   }
+}
+
+/// det F <= 0 at a particle.
+template <int dim, class Stencils, class Kinematics, class LawType, Correction correction>
+std::optional<Trouble> TotalLagrangian<dim, Stencils, Kinematics, LawType, correction>::trouble(const double* given) const {
+  const double* u = with_mirrored(given);
+  AlignedVector<double> det(blocks() * lanes);
+  parallel_for(blocks() * lanes, lanes, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t block = begin / lanes; block < end / lanes; ++block) {
+      Tensor<Pack, dim> F;
+      Pack L[dim];
+      gradient<false>(block, u, F, L);
+      for (int a = 0; a < dim; ++a) F[a][a] += 1.0;
+      Pack d = F[0][0] * F[1][1] - F[0][1] * F[1][0];
+      if constexpr (dim == 3)
+        d = d * F[2][2] + (F[0][2] * F[1][0] - F[0][0] * F[1][2]) * F[2][1] + (F[0][1] * F[1][2] - F[0][2] * F[1][1]) * F[2][0];
+      store(&det[block * lanes], d);
+    }
+  });
+  return inside_out(det, u);
 }
 
 }  // namespace femsph::sph
