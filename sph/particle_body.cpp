@@ -124,6 +124,18 @@ std::vector<Facet> ParticleBody::boundary() const {
   return boundary_of(cells);
 }
 
+std::optional<Trouble> ParticleBody::inside_out(const AlignedVector<double>& det, const double* u) const {
+  std::size_t worst = 0;
+  for (std::size_t i = 1; i < particles_.size(); ++i)
+    if (!(det[i] >= det[worst])) worst = i;
+  if (det[worst] > 0) return std::nullopt;
+  Point x = particles_.position[worst];
+  for (int c = 0; c < particles_.dim; ++c) x[c] += u[layout_.at(worst, c)];
+  return Trouble{fmt::format("particle {} has turned inside out: its volume is {:.3g} times what it was", worst, det[worst]),
+                 "the body is crushed or torn there, more than the first neighbours can tell: try a finer spacing, a gentler load, or sph-classic-share, "
+                 "whose neighbours follow", x};
+}
+
 const double* ParticleBody::fill_mirrored(const double* u) const {
   mirrored_.assign(u, u + layout_.size);
   for (std::size_t k = 0; k < particles_.mirrored.size(); ++k)

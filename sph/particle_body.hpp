@@ -43,6 +43,8 @@ class ParticleBody : public Discretization {
   const double* with_mirrored(const double* u) const {
     return particles_.mirrored.empty() ? u : fill_mirrored(u);
   }
+  /// What to say if a particle's det F is not positive.
+  std::optional<Trouble> inside_out(const AlignedVector<double>& det, const double* u) const;
   Options options_;
   Particles particles_;
   std::shared_ptr<const Shape> shape_;
