@@ -136,7 +136,7 @@ std::vector<Case> effects() {
         block.rigid = true;
         block.mass = 10;
         s.bodies.push_back(block);
-        s.contacts.push_back({"touch", {0, 1}});
+        s.contacts.push_back({"touch", {0, 1}, 1, 0, {}, false});
         InitialVelocity v;
         v.body = 1;
         v.velocity = {0, -1, 0};

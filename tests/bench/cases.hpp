@@ -21,7 +21,7 @@ struct Case {
   bool large_motion = false;
   Plane plane = Plane::stress;  ///< of a 2D case
   double units = 1e5;           ///< about
-  std::string without;          ///< of an effect: the case that lacks it
+  std::string without{};        ///< of an effect: the case that lacks it
   std::function<void(Scene&)> change{};
   bool moving = false;          ///< particles move through each other's supports: neighbours are searched again
 };
