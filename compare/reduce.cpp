@@ -118,9 +118,23 @@ Point place_of(const QuantitySpec& quantity, const Scene& scene) {
   return {};
 }
 
+// The distance of a whole history from theory.
+Reduced history_l2(const QuantitySpec& quantity, const Curve& curve, const Scene& scene) {
+  const Theory& theory = theory_named(*quantity.theory);
+  const Point at = place_of(quantity, scene);
+  std::vector<double> exact;
+  for (const double time : curve.at) exact.push_back(theory.value(scene, at, time));
+  Reduced reduced{};
+  reduced.error_percent = percent_l2(curve.at, curve.value, exact);
+  if (!reduced.error_percent) throw std::runtime_error("the history to compare with is zero");
+  reduced.value = *reduced.error_percent;
+  return reduced;
+}
+
 Reduced reduce_l2(const QuantitySpec& quantity, const RunResult& result, const Scene& scene, const fem::StaticLimit* limit) {
   Observed si = quantity.observed;
   si.unit = {"", 1};
+  if (!si.probe.empty()) return history_l2(quantity, within(curve_of(si, result), quantity.window), scene);
   const Curve curve = curve_of(si, result);
   const Section& section = section_named(scene, si.section);
   Reduced reduced{};

@@ -108,6 +108,8 @@ std::vector<std::pair<std::string, std::string>> derived_values(const March& mar
     if (march.step() > 0)
       out.emplace_back(pair.contact().name + " depth", fmt::format("{:.4g} m at most, {:.3g} of the spacing", pair.deepest(), pair.deepest_share()));
   }
+  for (const Ties::Bond& bond : march.ties().bonds())
+    out.emplace_back("contact " + bond.contact->name, fmt::format("{} points of {} tied to facets of {}", bond.end - bond.begin, march.bodies()[bond.from].name, march.bodies()[bond.onto].name));
   if (!march.contacts().empty())
     out.emplace_back("contact shortens the step", fmt::format("by {:.1f} %", 100 * (1 - march.critical_step() / march.critical_step_without_contact())));
   out.emplace_back("critical step", fmt::format("{:.6g} s", march.critical_step()));
@@ -155,7 +157,7 @@ bool asks_for_drift(const std::set<std::string>& scalars) {
 }  // namespace
 
 RunResult run_scene(const Scene& scene, const Method& method, const Resolution& resolution, const RunOptions& options) {
-  const double start = wall_seconds();
+  const double start = wall_seconds(), start_cpu = cpu_seconds();
   std::vector<std::unique_ptr<Discretization>> bodies;
   for (std::size_t b = 0; b < scene.bodies.size(); ++b)
     if (!scene.bodies[b].rigid) bodies.push_back(discretize(scene, b, method, resolution));
@@ -178,7 +180,9 @@ RunResult run_scene(const Scene& scene, const Method& method, const Resolution& 
   events.progress = [&](const March& m) { progress.show(m.step(), m.planned_steps(), m.time()); };
   try {
     march.run(events);
+    march.price().total_cpu = cpu_seconds() - start_cpu;
   } catch (const MotionError& error) {
+    march.price().total_cpu = cpu_seconds() - start_cpu;
     if (output) output->finish(march, recorder, error.what(), false);
     if (options.partial) *options.partial = result_of(march, recorder, conservation);
     throw;

@@ -79,10 +79,22 @@ struct SeriesSpec {
   std::optional<std::string> scene;         ///< whose theory; default: the first run's
 };
 
-/// The converged static solution to compare with.
+/// The converged solution to compare with: the static one of the elastic body by FEM of high degree; or, with `ladder`, Richardson's limit of
+/// that method's ladder, quantity by quantity.
 struct LimitSpec {
   std::array<int, 3> divisions{};
   int degree = 4;
+  std::string ladder;  ///< a method's label; empty: the static solution
+};
+
+/// What an error costs by each method: one scene and quantity of price.csv.
+struct PriceSpec {
+  std::string name, title;                      ///< name: in tables and names of files; title: for people
+  std::string quantity;                         ///< of one scene
+  Reference reference = Reference::limit;
+  std::vector<double> errors{10, 5, 1, 0.1};    ///< percent
+  std::optional<double> spacing;                ///< m: all methods compared at this spacing too
+  std::string base;                             ///< the method that others must be finer than; empty: none
 };
 
 struct Study {
@@ -92,7 +104,10 @@ struct Study {
   std::vector<QuantitySpec> quantities;
   std::vector<PaperNumber> paper;
   std::vector<SeriesSpec> series;
-  std::optional<LimitSpec> limit;
+  std::optional<LimitSpec> limit;            ///< of every scene that `limits` does not name
+  std::map<std::string, LimitSpec> limits;   ///< by scene
+  int repeat = 1;                            ///< how often every run is made, to know the spread of its time
+  std::vector<PriceSpec> prices;
   std::vector<Study> collected;  ///< run too; their rows are this study's
   std::vector<Claim> claims;
   std::vector<Bound> bounds;              ///< some: the study's table is one of verdicts

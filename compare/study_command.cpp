@@ -8,6 +8,7 @@
 #include <stdexcept>
 
 #include "compare/figures.hpp"
+#include "compare/price_tables.hpp"
 #include "compare/readme.hpp"
 #include "compare/series.hpp"
 #include "compare/theory.hpp"
@@ -92,6 +93,23 @@ int write_series(const Study& study, const StudyOutcome& outcome, const fs::path
   return failures;
 }
 
+/// price.csv and what belongs to it. Returns the text for the README: with prices it stands for the long table of runs.
+std::string write_prices(const Study& study, const std::vector<Row>& rows, const fs::path& folder, const std::string& table) {
+  if (study.prices.empty()) return table;
+  const auto scenes = priced_scenes(study, rows);
+  const std::string text = price_markdown(scenes);
+  write_text(price_csv(scenes), (folder / "price.csv").string());
+  write_text(spacing_csv(scenes), (folder / "price_at_spacing.csv").string());
+  write_text(finer_csv(scenes), (folder / "finer.csv").string());
+  write_text(ladders_csv(scenes), (folder / "data" / "ladders.csv").string());
+  write_text(text, (folder / "price.md").string());
+  for (const PricedScene& scene : scenes) {
+    write_text(rungs_csv(scene), (folder / "data" / ("rungs-" + scene.spec->name + ".csv")).string());
+    write_text(front_csv(scene), (folder / "data" / ("front-" + scene.spec->name + ".csv")).string());
+  }
+  return text;
+}
+
 int write_claims(const Study& study, const std::vector<Row>& rows, bool quick, const fs::path& folder, std::string& table) {
   if (study.claims.empty()) return 0;
   const auto verdicts = judge(study.claims, rows);
@@ -132,7 +150,7 @@ void update_readme(const Study& study, const std::string& table) {
 // Runs a study and those it collects; appends the rows and counts what is missing.
 int run_one(const Study& study, const StudyCommand& command, const Engine& engine, std::vector<Row>& rows) {
   const fs::path top = fs::path(command.out) / study.name;
-  make_folder(study.series.empty() ? top : top / "data");
+  make_folder(study.series.empty() && study.prices.empty() ? top : top / "data");
   int failures = 0;
   std::vector<Row> own;
   for (const Study& other : study.collected) failures += run_one(other, command, engine, own);
@@ -143,7 +161,7 @@ int run_one(const Study& study, const StudyCommand& command, const Engine& engin
   own.insert(own.end(), outcome.rows.begin(), outcome.rows.end());
   write_tables(study, own, top);
   failures += write_series(study, outcome, top);
-  std::string table = table_for_people(study, own);
+  std::string table = write_prices(study, own, top, table_for_people(study, own));
   failures += write_claims(study, own, command.quick, top, table);
   failures += write_figures(study, top);
   if (command.update_readme) update_readme(study, table);

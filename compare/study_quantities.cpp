@@ -192,13 +192,16 @@ void one_quantity(Fields& fields, StudyReading& reading) {
     else fields.fault("window", "\"window\" is no interval; expected two times, such as [\"10 us\", \"20 us\"]");
   }
   fields.done();
-  if (quantity.observed.section.empty() == of_section(quantity.reduce))
+  const bool history_l2 = quantity.reduce == Reduce::l2 && !quantity.observed.probe.empty();  // against a theory over time
+  if (history_l2 && !(quantity.theory && theory_named(*quantity.theory).on_time()))
+    fields.fault("reduce", "l2 of a probe compares its whole history; expected \"theory\" with one that depends on time");
+  if (!history_l2 && quantity.observed.section.empty() == of_section(quantity.reduce))
     fields.fault(
         "reduce",
         "\"reduce\" does not fit; expected fibre_upper, fibre_lower, l2 or moment for a section, and one of the others for a probe or an energy");
-  if (quantity.theory && theory_named(*quantity.theory).on_time())
+  if (!history_l2 && quantity.theory && theory_named(*quantity.theory).on_time())
     fields.fault("theory", "a theory that depends on time; expected one value (a history goes into [[series]])");
-  if (quantity.reduce == Reduce::l2 && !quantity.theory && !reading.study.limit)
+  if (quantity.reduce == Reduce::l2 && !quantity.theory && !reading.study.limit && reading.study.limits.empty())
     fields.fault("reduce", "l2 has nothing to compare with; expected \"theory\", or [limit] in the study");
   reading.study.quantities.push_back(quantity);
 }

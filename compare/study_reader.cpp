@@ -45,8 +45,10 @@ Study parse(const std::string& text, const std::string& file, bool may_collect) 
   reading.default_scene = root.text("scene", Need::optional, "the file of a scene").value_or(reading.default_scene);
   read_collected(root, reading, may_collect);
   read_runs(root, reading);  // names the scenes, which all that follows refers to
+  read_repeat(root, reading);
   read_limit(root, reading);
   read_quantities(root, reading);
+  read_prices(root, reading);
   read_series(root, reading);
   read_paper(root, reading);
   read_claims(root, reading);

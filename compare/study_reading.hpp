@@ -18,11 +18,14 @@ const Scene* scene_of(const Fields& fields, const char* key, const std::string& 
 
 void read_runs(Fields& root, StudyReading& reading);  // study_runs.cpp
 void read_limit(Fields& root, StudyReading& reading);
+void read_repeat(Fields& root, StudyReading& reading);
 void read_quantities(Fields& root, StudyReading& reading);  // study_quantities.cpp
 void read_series(Fields& root, StudyReading& reading);
 void read_paper(Fields& root, StudyReading& reading);  // study_claims.cpp
 void read_claims(Fields& root, StudyReading& reading);
 void read_bounds(Fields& root, StudyReading& reading);  // study_bounds.cpp: [[bounds]] and [[expectations]]
+
+void read_prices(Fields& root, StudyReading& reading);  // study_prices.cpp
 
 /// "20x2" or "20x2x1". Nothing if it is neither.
 std::optional<std::array<int, 3>> parse_divisions(const std::string& text);

@@ -16,6 +16,7 @@ struct Engine {
 struct FinishedRun {
   const PlannedRun* plan;
   RunResult result;
+  std::size_t first_row = 0, row_count = 0;  ///< its rows in StudyOutcome::rows
 };
 
 struct StudyOutcome {

@@ -63,6 +63,23 @@ std::vector<std::string> read_cases(Fields& fields, const std::vector<Resolution
   return defaults;
 }
 
+/// `supports`: smoothing lengths over the spacing, each a method of its own. None given: the methods as they are.
+std::vector<std::optional<double>> read_supports(Fields& fields, const std::vector<Method>& chosen, const Overrides& overrides) {
+  const auto given = fields.numbers("supports", Need::optional);
+  if (!given) return {std::nullopt};
+  if (given->empty() || std::any_of(given->begin(), given->end(), [](double h) { return h <= 0; }))
+    fields.fault("supports", "\"supports\" holds no number above 0; expected smoothing lengths over the spacing, such as [1.0, 1.2, 1.4]");
+  if (overrides.smoothing || fields.has("label"))
+    fields.fault("supports", "\"supports\" beside a smoothing or a label; expected one of them");
+  for (const Method& method : chosen)
+    if (method.is_fem()) fields.fault("supports", fmt::format("\"supports\" with {}; expected it with SPH only", method.name));
+  return {given->begin(), given->end()};
+}
+
+std::string support_label(const std::optional<double>& support) {
+  return support ? fmt::format(" h={:g}d", *support) : "";
+}
+
 void one_block(Fields& fields, StudyReading& reading, int ladder) {
   const std::string file = fields.text("scene", Need::optional, "the file of a scene").value_or(reading.default_scene);
   const Scene* scene = scene_of(fields, "scene", file, reading);
@@ -79,16 +96,21 @@ void one_block(Fields& fields, StudyReading& reading, int ladder) {
   Overrides overrides;
   if (auto options = fields.table("options", Need::optional, "a table such as {smoothing = 1.2}"))
     overrides = read_overrides(*options, chosen);
+  const auto supports = read_supports(fields, chosen, overrides);
   fields.done();
   for (std::size_t i = 0; i < resolutions.size(); ++i)
-    for (const Method& method : chosen) {
-      PlannedRun run{cases[i], label.value_or(method.name + overrides.describe()), method, resolutions[i], file, {}, false, ladder};
-      overrides.apply(run.method);
-      if (safety) run.march.safety = *safety;
-      run.march.step = step;
-      run.quick = std::find(quick.begin(), quick.end(), cases[i]) != quick.end();
-      reading.study.runs.push_back(run);
-    }
+    for (const Method& method : chosen)
+      for (const auto& support : supports) {
+        Overrides changes = overrides;
+        if (support) changes.smoothing = support;
+        const std::string name = label.value_or(method.name + overrides.describe() + support_label(support));
+        PlannedRun run{cases[i], name, method, resolutions[i], file, {}, false, ladder};
+        changes.apply(run.method);
+        if (safety) run.march.safety = *safety;
+        run.march.step = step;
+        run.quick = std::find(quick.begin(), quick.end(), cases[i]) != quick.end();
+        reading.study.runs.push_back(run);
+      }
 }
 
 }  // namespace
@@ -115,19 +137,61 @@ void read_runs(Fields& root, StudyReading& reading) {
   for (Fields& fields : root.tables("runs")) one_block(fields, reading, ladder++);
 }
 
-void read_limit(Fields& root, StudyReading& reading) {
-  auto fields = root.table("limit", Need::optional, "a table with divisions = \"100x10\" and degree = 4");
-  if (!fields) return;
+void read_repeat(Fields& root, StudyReading& reading) {
+  reading.study.repeat = root.count("repeat", Need::optional, 1, 99).value_or(1);
+}
+
+namespace {
+
+/// What both [limit] and [[limits]] say.
+LimitSpec one_limit(Fields& fields, int dim) {
   LimitSpec limit;
-  const auto text = fields->text("divisions", Need::required, "cells along the axes, such as \"100x10\"");
-  limit.degree = fields->count("degree", Need::optional, 1, 8).value_or(limit.degree);
-  fields->done();
-  if (!text) return;
-  if (const auto cells = parse_divisions(*text))
+  const auto text = fields.text("divisions", Need::required, "cells along the axes, such as \"100x10\"");
+  limit.degree = fields.count("degree", Need::optional, 1, 8).value_or(limit.degree);
+  if (!text) return limit;
+  const auto cells = parse_divisions(*text);
+  if (cells && (dim == 0 || ((*cells)[2] > 0) == (dim == 3)))
     limit.divisions = *cells;
   else
-    fields->fault("divisions", fmt::format("\"divisions\" is {}; expected cells along the axes, such as \"100x10\"", in_quotes(*text)));
-  reading.study.limit = limit;
+    fields.fault("divisions", fmt::format("\"divisions\" is {}; expected cells along the axes, such as \"100x10\"", in_quotes(*text)));
+  return limit;
+}
+
+/// Richardson's limit of a ladder: three rungs of that label and scene at least.
+LimitSpec ladder_limit(Fields& fields, const std::string& scene, const Study& study) {
+  LimitSpec limit;
+  limit.ladder = fields.text("ladder", Need::required, "the name of a method in tables").value_or("");
+  const auto known = method_labels(study);
+  const auto rungs = std::count_if(study.runs.begin(), study.runs.end(),
+                                   [&](const PlannedRun& run) { return run.label == limit.ladder && run.scene == scene; });
+  if (std::find(known.begin(), known.end(), limit.ladder) == known.end())
+    fields.fault("ladder", fmt::format("unknown method {}; expected {}{}", in_quotes(limit.ladder), one_of(known), did_you_mean(limit.ladder, known)));
+  else if (rungs < 3)
+    fields.fault("ladder", fmt::format("{} runs {} at {} spacings; expected three or more to extrapolate from", in_quotes(limit.ladder), in_quotes(scene), rungs));
+  return limit;
+}
+
+void scene_limit(Fields& fields, Study& study) {
+  std::vector<std::string> known;
+  for (const auto& [file, scene] : study.scenes) known.push_back(file);
+  const auto name = fields.text("scene", Need::required, "the file of a scene that a run uses");
+  const auto scene = name ? study.scenes.find(*name) : study.scenes.end();
+  if (name && scene == study.scenes.end())
+    fields.fault("scene", fmt::format("no run uses the scene {}; expected {}{}", in_quotes(*name), one_of(known), did_you_mean(*name, known)));
+  if (scene == study.scenes.end()) return fields.accept_rest();
+  const LimitSpec limit = fields.has("ladder") ? ladder_limit(fields, *name, study) : one_limit(fields, scene->second.dim());
+  fields.done();
+  study.limits[*name] = limit;
+}
+
+}  // namespace
+
+void read_limit(Fields& root, StudyReading& reading) {
+  if (auto fields = root.table("limit", Need::optional, "a table with divisions = \"100x10\" and degree = 4")) {
+    reading.study.limit = one_limit(*fields, 0);
+    fields->done();
+  }
+  for (Fields& fields : root.tables("limits")) scene_limit(fields, reading.study);
 }
 
 }  // namespace femsph::compare

@@ -51,6 +51,12 @@ const std::vector<RowColumn>& row_columns() {
       number("threads", &Row::threads),
       number("points", &Row::points),
       number("ns_per_unit_step", &Row::ns_per_unit_step),
+      number("dof", &Row::dof),
+      number("memory_mb", &Row::memory_mb),
+      number("total_cpu_s", &Row::total_cpu_s),
+      number("total_cpu_min_s", &Row::total_cpu_min_s),
+      number("total_cpu_max_s", &Row::total_cpu_max_s),
+      number("repeats", &Row::repeats),
       number("energy_imbalance_percent", &Row::energy_imbalance_percent),
       number("momentum_error", &Row::momentum_error),
       {"settled", [](const Row& row) { return std::string(!row.settled   ? ""

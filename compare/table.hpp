@@ -17,10 +17,15 @@ struct Row {
   std::string unit;
   std::optional<double> theory, error_percent, limit, error_vs_limit_percent, paper, paper_error_percent;
   std::optional<double> steps, dt_s, cpu_s, wall_s, threads, points, ns_per_unit_step, energy_imbalance_percent, momentum_error;
+  /// Unknowns, held memory; CPU of the whole run with its set-up: median, least and most of `repeats` runs (cpu_s: the march alone, median).
+  std::optional<double> dof, memory_mb, total_cpu_s, total_cpu_min_s, total_cpu_max_s, repeats;
   std::optional<bool> settled;
   std::string failure;  ///< why there is no value
   std::optional<double> energy_drift, momentum_drift, angular_momentum_drift, hourglass_share;  ///< shares of 1; of studies with bounds
   int ladder = 0;       ///< rows of one ladder of spacings share it; not written
+  std::string scene;    ///< not written
+  std::optional<double> units;                ///< particles or elements; not written
+  std::optional<double> limit_known_percent;  ///< how well an extrapolated limit is known; not written
 };
 
 /// What one ladder (study, method, quantity) shows against one reference.

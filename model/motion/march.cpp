@@ -68,6 +68,10 @@ void March::forces() {
     PhaseTimer timer(price_, "contact");
     contact.add_forces(bodies_, rigid_, step_, dt_);
   }
+  if (!ties_.empty()) {
+    PhaseTimer timer(price_, "contact");
+    ties_.add_forces(bodies_, (1 - 0.5 * damping_rate_ * dt_) / (1 + 0.5 * damping_rate_ * dt_), dt_ / (1 + 0.5 * damping_rate_ * dt_), dt_, step_ == 0);
+  }
   for (MovingBody& body : bodies_) hold_means(body);  // last: reactions answer to every other force
 }
 
@@ -224,6 +228,7 @@ Ledger March::ledger() const {
     l.contact += contact.stored();
     l.friction += contact.friction_loss();
   }
+  l.contact += ties_.taken();
   l.external = external_work_;
   l.damping = damping_loss_ + k.damping - start_damping_;
   l.viscosity = viscous_loss_ + k.viscosity - start_viscosity_;

@@ -11,6 +11,7 @@
 #include "model/motion/contact.hpp"
 #include "model/motion/discretization.hpp"
 #include "model/motion/ledger.hpp"
+#include "model/motion/ties.hpp"
 #include "model/numerics/array.hpp"
 #include "model/results/price.hpp"
 
@@ -82,6 +83,9 @@ class March {
   const MovingBody& body(std::size_t index) const;                   ///< by its index in Scene::bodies; it deforms
   const std::vector<RigidBody>& rigid_bodies() const { return rigid_; }
   const std::vector<ContactPair>& contacts() const { return contacts_; }
+  const Ties& ties() const { return ties_; }
+  /// N, of each contact's first body on its second, now, in the order of the scene.
+  std::vector<Point> contact_forces() const;
   long step() const { return step_; }
   double time() const { return double(step_) * dt_; }
   double dt() const { return dt_; }
@@ -128,6 +132,7 @@ class March {
   std::vector<MovingBody> bodies_;
   std::vector<RigidBody> rigid_;
   std::vector<ContactPair> contacts_;
+  Ties ties_;
   double critical_ = 0, critical_alone_ = 0, dt_ = 0;
   double damping_rate_ = 0;      ///< c, 1/s
   bool adaptive_damping_ = false, kinetic_damping_ = false, settled_ = false;

@@ -25,7 +25,16 @@ void March::place_rigid_bodies_and_contacts() {
     if (rigid) rigid_.emplace_back(scene_, b);
   }
   for (const Contact& contact : scene_.contacts)
-    contacts_.emplace_back(scene_, contact, std::array{party[contact.between[0]], party[contact.between[1]]}, bodies_);
+    if (!contact.tied) contacts_.emplace_back(scene_, contact, std::array{party[contact.between[0]], party[contact.between[1]]}, bodies_);
+  ties_ = Ties(scene_, bodies_);
+}
+
+std::vector<Point> March::contact_forces() const {
+  std::vector<Point> forces;
+  auto pair = contacts_.begin();
+  auto bond = ties_.bonds().begin();
+  for (const Contact& contact : scene_.contacts) forces.push_back(contact.tied ? (bond++)->force : (pair++)->force());
+  return forces;
 }
 
 /// The least over the bodies, with the springs that bound the penalty of their contacts. A spring that lets go in mid-step gives back up to

@@ -132,11 +132,13 @@ void March::start_velocities() {
       for (std::size_t k = 0; k < hold.slots.size(); ++k)
         body.v[hold.slots[k]] -= hold.weights[k] * body.inverse_mass[hold.slots[k]] * sum / hold.inverse_mass;
     }
+  }
+  if (!ties_.empty()) ties_.match_velocities(bodies_);
+  for (MovingBody& body : bodies_)
     for (std::size_t i = 0; i < body.v.size(); ++i) {
       const double force = body.viscous.empty() ? body.f[i] : body.f[i] + body.viscous[i];
       body.v[i] = (2 * body.v[i] - push * body.inverse_mass[i] * force) / (1 + keep);
     }
-  }
   for (RigidBody& body : rigid_) {
     for (const InitialVelocity& start : scene_.initial_velocities)
       if (start.body == body.index) {
@@ -162,10 +164,12 @@ template <class Take>
 void March::internal_forces(const MovingBody& body, Take&& take) const {
   AlignedVector<double> f = body.f;
   const Layout& at = body.discretization->layout();
+  const auto take_off = [&](std::size_t p, const Point& force) {
+    for (int c = 0; c < at.dim; ++c) f[at.at(p, c)] -= force[c];
+  };
   for (const ContactPair& contact : contacts_)
-    contact.each_force(std::size_t(&body - bodies_.data()), [&](std::size_t p, const Point& force) {
-      for (int c = 0; c < at.dim; ++c) f[at.at(p, c)] -= force[c];
-    });
+    contact.each_force(std::size_t(&body - bodies_.data()), take_off);
+  ties_.each_force(std::size_t(&body - bodies_.data()), take_off);
   for (const MovingBody::NodalLoad& load : body.loads) f[load.slot] -= load.force * scene_.loads[load.load].history.at(time());
   for (const MovingBody::MeanHold& hold : body.means)
     for (std::size_t k = 0; k < hold.slots.size(); ++k) f[hold.slots[k]] -= hold.reaction * hold.weights[k];

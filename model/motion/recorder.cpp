@@ -61,9 +61,9 @@ Recorder::Recorder(const March& march) {
     for (const char a : axes) history_.add(fmt::format("{}_v{}", body.name, a), "m/s");
     if (scene.dim() == 2) history_.add(body.name + "_turn", "rad");
   }
-  if (!march.contacts().empty()) history_.add("contact_energy", "J"), history_.add("friction_loss", "J");
-  for (const ContactPair& pair : march.contacts())
-    for (const char a : axes) history_.add(fmt::format("contact_{}_force_{}", pair.contact().name, a), "N");
+  if (!scene.contacts.empty()) history_.add("contact_energy", "J"), history_.add("friction_loss", "J");
+  for (const Contact& contact : scene.contacts)
+    for (const char a : axes) history_.add(fmt::format("contact_{}_force_{}", contact.name, a), "N");
   for (const Section& section : scene.sections) {
     Line line{&section, {}, {}};
     double length = 0;
@@ -127,9 +127,9 @@ void Recorder::sample(const March& march) {
     for (int c = 0; c < dim; ++c) put(body.velocity_now(march.dt())[c]);
     if (dim == 2) put(body.angle);
   }
-  if (!march.contacts().empty()) put(l.contact), put(l.friction);
-  for (const ContactPair& pair : march.contacts())
-    for (int c = 0; c < dim; ++c) put(pair.force()[c]);
+  if (!march.scene().contacts.empty()) put(l.contact), put(l.friction);
+  for (const Point& force : march.contact_forces())
+    for (int c = 0; c < dim; ++c) put(force[c]);
 }
 
 std::map<std::string, Profile> Recorder::profiles(const March& march) const {

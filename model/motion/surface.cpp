@@ -125,6 +125,13 @@ Point Surface::velocity(const MovingBody& body, std::size_t p) const {
   return v;
 }
 
+Point Surface::displacement(const MovingBody& body, std::size_t p) const {
+  const Layout& at = body.discretization->layout();
+  Point u{};
+  for (int c = 0; c < dim; ++c) u[c] = body.u[at.at(point[p], c)];
+  return u;
+}
+
 void Surface::add_forces_to(MovingBody& body) const {
   const Layout& at = body.discretization->layout();
   for (const std::size_t p : active)

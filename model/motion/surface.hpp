@@ -36,6 +36,7 @@ struct Surface {
   void measure();
   double fastest(const MovingBody& body) const;  ///< m/s
   Point velocity(const MovingBody& body, std::size_t p) const;
+  Point displacement(const MovingBody& body, std::size_t p) const;
   void add_forces_to(MovingBody& body) const;
 
  private:

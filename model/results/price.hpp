@@ -18,6 +18,7 @@ struct Price {
   long steps = 0;
   double dt = 0;              ///< s
   double cpu = 0, wall = 0;   ///< s, of the march (set-up is a phase)
+  double total_cpu = 0;       ///< s, of the whole run: set-up, critical step, march, output
   int threads = 1;
   std::size_t units = 0;      ///< particles or elements
   std::size_t bytes = 0;      ///< held by discretizations and march

@@ -68,7 +68,7 @@ toml::table energies(const Ledger& e) {
 toml::table price(const Price& p) {
   toml::table phases;
   for (const auto& [phase, seconds] : p.phases) phases.insert_or_assign(phase, seconds);
-  return toml::table{{"steps", p.steps}, {"dt", p.dt}, {"cpu", p.cpu}, {"wall", p.wall}, {"threads", p.threads},
+  return toml::table{{"steps", p.steps}, {"dt", p.dt}, {"cpu", p.cpu}, {"wall", p.wall}, {"total_cpu", p.total_cpu}, {"threads", p.threads},
                      {"units", std::int64_t(p.units)}, {"bytes", std::int64_t(p.bytes)}, {"peak_memory", std::int64_t(peak_memory())},
                      {"nanoseconds_per_unit_step", p.nanoseconds()}, {"phases", std::move(phases)}};
 }

@@ -1,4 +1,5 @@
-// Reads quadrilateral and hexahedral meshes through the library of Gmsh, so that every version of the .msh format works.
+// Reads quadrilateral and hexahedral meshes through the library of Gmsh, so that every version of the .msh format works. The library trusts its
+// input: damaged files make it read beyond its arrays or ask for all memory. So it works in a process of its own, which hands the mesh back.
 // Numbering of vertices and elements: Gmsh reference manual, "Node ordering" and "MSH file format".
 
 #include <fmt/format.h>
@@ -6,11 +7,13 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstring>
 #include <filesystem>
 #include <fstream>
 #include <stdexcept>
 #include <unordered_map>
 
+#include "model/scene/child.hpp"
 #include "model/scene/faults.hpp"
 #include "model/scene/multilinear.hpp"
 #include "model/scene/shape.hpp"
@@ -212,10 +215,7 @@ void require_msh_file(const std::string& file) {
     throw std::runtime_error(fmt::format("{} is not a .msh file; expected a mesh saved by Gmsh", in_quotes(file)));
 }
 
-}  // namespace
-
-CellMesh read_gmsh(const std::string& file, int dim, double unit) {
-  require_msh_file(file);
+CellMesh read_here(const std::string& file, int dim, double unit) {
   CellMesh mesh;
   mesh.dim = dim;
   try {
@@ -230,6 +230,71 @@ CellMesh read_gmsh(const std::string& file, int dim, double unit) {
     throw std::runtime_error(fmt::format("{} cannot be read by Gmsh; expected a mesh saved by Gmsh", in_quotes(file)));
   }
   return mesh;
+}
+
+// The mesh as bytes: the lengths of its lists, then what they hold. Or a message.
+template <class T>
+void put(std::string& bytes, const std::vector<T>& list) {
+  const std::size_t n = list.size();
+  bytes.append(reinterpret_cast<const char*>(&n), sizeof n);
+  bytes.append(reinterpret_cast<const char*>(list.data()), n * sizeof(T));
+}
+
+template <class T>
+std::vector<T> take(const std::string& bytes, std::size_t& at) {
+  std::size_t n = 0;
+  std::memcpy(&n, bytes.data() + at, sizeof n);
+  std::vector<T> list(n);
+  std::memcpy(list.data(), bytes.data() + at + sizeof n, n * sizeof(T));
+  at += sizeof n + n * sizeof(T);
+  return list;
+}
+
+constexpr char is_mesh = 'm', is_message = 'x';
+
+std::string to_bytes(const CellMesh& mesh) {
+  std::string bytes(1, is_mesh);
+  put(bytes, mesh.vertices);
+  put(bytes, mesh.cells);
+  put(bytes, mesh.facets);
+  for (const std::string& group : mesh.groups) put(bytes, std::vector<char>(group.begin(), group.end()));
+  return bytes;
+}
+
+CellMesh from_bytes(const std::string& bytes, int dim) {
+  CellMesh mesh;
+  std::size_t at = 1;
+  mesh.dim = dim;
+  mesh.vertices = take<Point>(bytes, at);
+  mesh.cells = take<std::array<int, 8>>(bytes, at);
+  mesh.facets = take<CellMesh::Facet>(bytes, at);
+  while (at < bytes.size()) {
+    const std::vector<char> group = take<char>(bytes, at);
+    mesh.groups.emplace_back(group.begin(), group.end());
+  }
+  return mesh;
+}
+
+}  // namespace
+
+CellMesh read_gmsh(const std::string& file, int dim, double unit) {
+  require_msh_file(file);
+  const std::size_t size = std::filesystem::file_size(file);
+  const ChildLimits limits{unsigned(20 + size / 200'000), (std::size_t(1) << 30) + 100 * size};  // Gmsh reads some MB/s, and keeps some 20 bytes for each
+  std::string bytes;
+  const bool whole = in_child(
+      [&] {
+        try {
+          return to_bytes(read_here(file, dim, unit));
+        } catch (const std::runtime_error& e) {
+          return is_message + std::string(e.what());
+        }
+      },
+      limits, bytes);
+  if (!whole || bytes.empty())
+    throw std::runtime_error(fmt::format("{} cannot be read: it is damaged (Gmsh broke off); expected a mesh saved by Gmsh", in_quotes(file)));
+  if (bytes[0] == is_message) throw std::runtime_error(bytes.substr(1));
+  return from_bytes(bytes, dim);
 }
 
 }  // namespace femsph

@@ -50,6 +50,13 @@ void read_contacts(Fields& root, Reading& reading) {
     contact.source = fields.source();
     const auto between = read_between(fields, reading);
     if (between) contact.between = *between;
+    contact.tied = fields.choice<bool>("kind", Need::optional, {{"press", false}, {"tied", true}}).value_or(false);
+    if (contact.tied) {
+      for (const char* key : {"stiffness", "friction"})
+        if (fields.has(key)) fields.fault(key, fmt::format("\"{}\" in a contact of kind \"tied\", whose surfaces stay together; expected it only without kind = \"tied\"", key));
+      if (between && (reading.scene.bodies[contact.between[0]].rigid || reading.scene.bodies[contact.between[1]].rigid))
+        fields.fault("between", "one of two tied bodies is rigid; expected two that deform (a support holds a body to the ground)");
+    }
     contact.stiffness = fields.number("stiffness", Need::optional, "a factor above 0").value_or(1);
     if (!(contact.stiffness > 0)) fields.fault("stiffness", fmt::format("\"stiffness\" is {}; expected a factor above 0", contact.stiffness));
     contact.friction = fields.number("friction", Need::optional, "a coefficient of 0 or more").value_or(0);

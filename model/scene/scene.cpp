@@ -127,7 +127,8 @@ std::vector<std::string> Scene::effects() const {
   add(!initial_velocities.empty(), "initial velocity");
   add(!initial_displacements.empty(), "initial displacement");
   add(std::any_of(bodies.begin(), bodies.end(), [](const Body& body) { return body.rigid; }), "rigid bodies");
-  add(!contacts.empty(), "contact");
+  add(std::any_of(contacts.begin(), contacts.end(), [](const Contact& contact) { return !contact.tied; }), "contact");
+  add(std::any_of(contacts.begin(), contacts.end(), [](const Contact& contact) { return contact.tied; }), "tied bodies");
   add(std::any_of(contacts.begin(), contacts.end(), [](const Contact& contact) { return contact.friction > 0; }), "friction");
   add(gravity.has_value(), "gravity");
   add(damping.has_value(), "damping");

@@ -118,13 +118,15 @@ struct InitialDisplacement {
   Point at(const Point& p) const;
 };
 
-/// Two bodies, one of them deformable at least, that press on each other where they touch.
+/// Two bodies, one of them deformable at least, that press on each other where they touch; or, tied, two that deform and are bonded where
+/// they touch at the start.
 struct Contact {
   std::string name;
   std::array<std::size_t, 2> between{};  ///< indices into Scene::bodies
   double stiffness = 1;                  ///< factor on the default penalty
   double friction = 0;                   ///< Coulomb's coefficient
   Source source;
+  bool tied = false;
 };
 
 /// plastic_strain: equivalent; equivalent_stress: von Mises.

@@ -52,6 +52,8 @@ std::string read_text_file(const std::string& file, const std::string& what) {
   const auto type = std::filesystem::status(file, status).type();
   if (type == std::filesystem::file_type::not_found) refuse(file, {}, "no such file; expected " + what);
   if (type == std::filesystem::file_type::directory) refuse(file, {}, "is a directory; expected " + what);
+  if (type != std::filesystem::file_type::regular && type != std::filesystem::file_type::none)  // opening a pipe could wait for ever
+    refuse(file, {}, "is a pipe or a device; expected " + what);
   std::ifstream in(file, std::ios::binary);
   if (!in) refuse(file, {}, "cannot be read (permission?); expected " + what);
   std::string text(largest_file + 1, '\0');

@@ -193,12 +193,17 @@ void register_all() {
       if (m.name == "fem-full" || m.name == "sph-corrected") add(d + m.name + " plastic/force", [=](benchmark::State& s) { force(s, dim, m, cells, false, true); });
       add(d + m.name + "/step", [=](benchmark::State& s) { whole_step(s, dim, m, cells); }, true);
     }
-    const auto sph = [&](const std::string& label, auto&& change, const char* base = "sph-corrected") {
+    const auto sph = [&](const std::string& label, auto&& change, const char* base = "sph-corrected", bool plastic = false) {
       compare::Method m = compare::method_named(base);
       change(std::get<sph::Options>(m.options));
-      add(d + base + " " + label + "/force", [=](benchmark::State& s) { force(s, dim, m, 1e5, false); });
+      add(d + base + " " + label + "/force", [=](benchmark::State& s) { force(s, dim, m, 1e5, false, plastic); });
     };
     sph("h = 1.2 d", [](sph::Options& o) { o.smoothing = 1.2; });
+    sph("h = 1.2 d, plastic", [](sph::Options& o) { o.smoothing = 1.2; }, "sph-corrected", true);
+    if (dim == 3) {
+      sph("h = 1.4 d", [](sph::Options& o) { o.smoothing = 1.4; });
+      sph("h = 1.4 d, plastic", [](sph::Options& o) { o.smoothing = 1.4; }, "sph-corrected", true);
+    }
     sph("h = 1.2 d, irregular", [](sph::Options& o) { o.smoothing = 1.2, o.jitter = 0.2; });
     sph("without hourglass control", [](sph::Options& o) { o.hourglass = 0; });
     const auto updated = [&](const std::string& label, bool plastic, sph::Viscosity viscosity) {
@@ -210,6 +215,7 @@ void register_all() {
     updated(", with viscosity", false, {5, 5, 1});
     updated(", with viscosity, plastic", true, {5, 5, 1});
     sph("with viscosity", [](sph::Options& o) { o.viscosity = {5, 5, 1}; }, "sph-classic-share");
+    sph("h = 1.2 d, with viscosity", [](sph::Options& o) { o.smoothing = 1.2, o.viscosity = {5, 5, 1}; }, "sph-classic-share");
   }
 }
 

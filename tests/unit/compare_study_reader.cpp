@@ -168,7 +168,7 @@ TEST_F(StudyReader, AStudyOfNothingIsNone) { EXPECT_THAT(message("title = \"x\"\
 
 // The studies of this repository can be read, and their theory can speak of their scenes.
 TEST(Studies, AreAllReadable) {
-  for (const std::string name : {"uniaxial", "boundary", "fem-mesh", "spacing", "depth", "return-mapping", "two-blocks", "rc-beam", "plastic-beam", "paper"}) {
+  for (const std::string name : {"uniaxial", "boundary", "fem-mesh", "spacing", "depth", "return-mapping", "two-blocks", "rc-beam", "plastic-beam", "cost", "paper"}) {
     const Study study = read_study(std::string(FEMSPH_SOURCE_DIR) + "/studies/" + name + "/study.toml");
     EXPECT_EQ(study.name, name);
     EXPECT_TRUE(!study.collected.empty() || std::any_of(study.runs.begin(), study.runs.end(), [](const auto& run) { return run.quick; }))

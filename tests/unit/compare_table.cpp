@@ -62,7 +62,7 @@ TEST(Table, ColumnsAreTheOnesPromised) {
       read_csv(csv(std::vector<Row>{}))[0],
       ElementsAre("study", "case", "method", "spacing_mm", "cells_over_height", "quantity", "value", "unit", "theory", "error_percent",
                   "limit", "error_vs_limit_percent", "paper", "paper_error_percent", "steps", "dt_s", "cpu_s", "wall_s", "threads",
-                  "points", "ns_per_unit_step", "energy_imbalance_percent", "momentum_error", "settled", "failure"));
+                  "points", "ns_per_unit_step", "dof", "memory_mb", "total_cpu_s", "total_cpu_min_s", "total_cpu_max_s", "repeats", "energy_imbalance_percent", "momentum_error", "settled", "failure"));
 }
 
 TEST(Table, NotANumberIsAnEmptyCell) { EXPECT_EQ(csv_number(std::nan("")), ""); }

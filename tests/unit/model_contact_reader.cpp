@@ -84,5 +84,20 @@ TEST(ContactReader, ExplainsWhatIsWrong) {
   EXPECT_THAT(message_of(scene_text("", "mass = \"1 kg\"\nmaterial = \"steel\"\n")), HasSubstr("unknown key \"material\""));
 }
 
+TEST(ContactReader, ReadsTiedBodiesAndRefusesWhatTheyCannotHave) {
+  const std::string other = "[bodies.more]\nshape = \"box\"\norigin = [\"1 m\", \"0 m\"]\nsize = [\"1 m\", \"100 mm\"]\nthickness = \"100 mm\"\nmaterial = \"steel\"\n";
+  const auto tied = [&](const std::string& bodies, const std::string& rest) {
+    return scene_text(other + "[[contacts]]\nkind = \"tied\"\nbetween = [" + bodies + "]\n" + rest);
+  };
+  const Scene s = parse_scene(tied("\"beam\", \"more\"", ""), "scene.toml");
+  ASSERT_EQ(s.contacts.size(), 1u);
+  EXPECT_TRUE(s.contacts[0].tied);
+  EXPECT_THAT(s.effects(), testing::Contains("tied bodies"));
+  EXPECT_THAT(s.effects(), testing::Not(testing::Contains("contact")));
+  EXPECT_THAT(message_of(tied("\"beam\", \"more\"", "friction = 0.3\n")), HasSubstr("\"friction\" in a contact of kind \"tied\""));
+  EXPECT_THAT(message_of(tied("\"beam\", \"weight\"", "")), HasSubstr("one of two tied bodies is rigid"));
+  EXPECT_THAT(message_of(scene_text(other + "[[contacts]]\nkind = \"glued\"\nbetween = [\"beam\", \"more\"]\n")), HasSubstr("expected \"press\" or \"tied\""));
+}
+
 }  // namespace
 }  // namespace femsph

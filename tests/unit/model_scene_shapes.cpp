@@ -6,8 +6,15 @@
 #include <gmsh.h>
 #include <gtest/gtest.h>
 
+#include <sys/stat.h>
+
+#include <cstdio>
+#include <cstdlib>
+#include <fstream>
+#include <random>
 #include <stdexcept>
 
+#include "model/scene/child.hpp"
 #include "model/scene/multilinear.hpp"
 #include "model/scene/shape.hpp"
 
@@ -138,6 +145,75 @@ TEST(Gmsh, EveryVersionOfTheFormat) {
       EXPECT_EQ(again.facets.size(), 4u) << version;
       EXPECT_EQ(again.groups.size(), 2u) << version;
     }
+}
+
+// Gmsh itself does not survive all of these: each damaged file is read, or refused with one sentence that names it.
+TEST(Gmsh, DamagedFilesAreRefusedWithOneSentence) {
+  const std::string file = testing::TempDir() + "femsph_damaged.msh";
+  const auto content = [](const std::string& name) {
+    std::ifstream in(name, std::ios::binary);
+    return std::string(std::istreambuf_iterator<char>(in), {});
+  };
+  std::vector<std::string> originals = {content(folder + "l_shape.msh"), content(folder + "two_hexes.msh")};
+  gmsh::initialize(0, nullptr, false);
+  gmsh::option::setNumber("General.Terminal", 0);
+  gmsh::open(folder + "l_shape.msh");
+  gmsh::option::setNumber("Mesh.Binary", 1);
+  gmsh::write(file);
+  gmsh::finalize();
+  originals.push_back(content(file));
+  std::mt19937 random(11);
+  int refused = 0;
+  const auto try_to_read = [&](const std::string& bytes) {
+    std::ofstream(file, std::ios::binary) << bytes;
+    for (const int dim : {2, 3}) {
+      try {
+        read_gmsh(file, dim, 1.0);
+      } catch (const std::runtime_error& e) {
+        ++refused;
+        EXPECT_THAT(e.what(), testing::AllOf(testing::HasSubstr("femsph_damaged.msh"), testing::Not(testing::HasSubstr("\n"))));
+      }
+    }
+  };
+  for (const std::string& original : originals)
+    for (int k = 0; k < 30; ++k) {
+      std::string bytes = original;
+      const std::size_t at = 12 + random() % (bytes.size() - 12);  // behind "$MeshFormat", without which no file gets as far as Gmsh
+      if (k % 3 == 0) bytes.resize(at);
+      else if (k % 3 == 1) bytes[at] = char(random());
+      else bytes.insert(at, "99999999999");
+      try_to_read(bytes);
+    }
+  EXPECT_GT(refused, 90);
+  std::string lengths = originals[0];  // a node count that no memory holds
+  lengths.insert(lengths.find("$Nodes") + 7, "99999999");
+  try_to_read(lengths);
+}
+
+TEST(Gmsh, RefusesWhatIsNoFile) {
+  const std::string pipe = testing::TempDir() + "femsph_pipe.msh";
+  std::remove(pipe.c_str());
+  ASSERT_EQ(mkfifo(pipe.c_str(), 0600), 0);
+  EXPECT_THROW(read_gmsh(pipe, 2, 1.0), std::runtime_error);
+  EXPECT_THROW(read_gmsh("/dev/zero", 2, 1.0), std::runtime_error);
+  EXPECT_THROW(read_gmsh("/", 2, 1.0), std::runtime_error);
+  std::remove(pipe.c_str());
+}
+
+// A library that crashes, hangs or asks for all memory takes its child with it and nothing else.
+TEST(Child, HandsBackWhatItMadeOrNothing) {
+  std::string result;
+  const ChildLimits limits{1, std::size_t(64) << 20};
+  EXPECT_TRUE(in_child([] { return std::string(1 << 20, 'a'); }, limits, result));
+  EXPECT_EQ(result, std::string(1 << 20, 'a'));
+  EXPECT_FALSE(in_child([]() -> std::string { std::abort(); }, limits, result));
+  EXPECT_FALSE(in_child([]() -> std::string { throw std::runtime_error("no"); }, limits, result));
+  EXPECT_FALSE(in_child(
+      []() -> std::string {
+        for (volatile long k = 0;; k = k + 1) {
+        }
+      },
+      limits, result));
 }
 
 TEST(Gmsh, StaysSilent) {
