@@ -57,6 +57,7 @@ LoadedBox box_of(const Scene& scene, const std::string& theory) {
   check_supports(scene, box, theory);
   if (scene.loads.empty()) refuse(theory, "nothing loads it");
   for (const Load& load : scene.loads) {
+    if (load.pressure != 0) refuse(theory, "a load is a pressure");
     if (!names(load.place, "x+") && !on_plane(load.place, box.origin[0] + box.length, box.length)) refuse(theory, "a load is not on x+");
     for (const double factor : load.history.factor) box.step &= factor == load.history.factor.back();
     for (int c = 0; c < 3; ++c) box.force[c] += load.force[c] * load.history.factor.back();
@@ -113,6 +114,7 @@ double Impact::strain() const {
 Impact impact_of(const Scene& scene) {
   const Material& m = scene.material_of(scene.bodies[0]);
   if (scene.initial_velocities.empty() || !m.plasticity) refuse("impact", "it needs a plastic material and an initial velocity");
+  if (m.plasticity->johnson_cook) refuse("impact", "its material hardens by Johnson-Cook, not linearly");
   const double H = m.plasticity->hardening;
   return {-scene.initial_velocities[0].velocity[0], m.young, m.density, m.plasticity->yield, m.young * H / (m.young + H)};
 }
@@ -121,6 +123,7 @@ double plastic_moment(const Scene& scene) {
   const Body& body = scene.bodies[0];
   const Material& m = scene.material_of(body);
   if (!m.plasticity) refuse("plastic moment", "its material is elastic");
+  if (m.plasticity->johnson_cook) refuse("plastic moment", "its material hardens by Johnson-Cook");
   const Point a = body.shape->lower(), b = body.shape->upper();
   return m.plasticity->yield * (scene.dim() == 2 ? body.thickness : b[2] - a[2]) * (b[1] - a[1]) * (b[1] - a[1]) / 4;
 }

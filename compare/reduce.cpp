@@ -59,6 +59,7 @@ Curve within(const Curve& curve, const std::optional<std::array<double, 2>>& win
 double excess(const QuantitySpec& quantity, const RunResult& result, const Scene& scene) {
   const Material& m = scene.material_of(scene.bodies[0]);
   if (!m.plasticity) throw std::runtime_error("an elastic material has no yield curve");
+  if (m.plasticity->johnson_cook) throw std::runtime_error("the yield curve of Johnson-Cook depends on rate and heat");
   Observed stress = quantity.observed;
   stress.unit.factor = 1;
   const Curve q = curve_of(stress, result), p = curve_of(quantity.along, result);

@@ -155,8 +155,9 @@ struct AssumedStrainElement {
     for (int p = 0; p < n; ++p) {
       Symmetric<T, dim> strain = mean;
       field.add_to(p, strain);
-      auto stress = advance_law<LawType, T, dim>(material.law, strain, state + p * point_state_size<LawType, dim>);
+      auto stress = advance_law<LawType, T, dim, Kinematics>(material.law, strain, state + p * point_state_size<LawType, dim>);
       observer.point(p, weight, frame, strain, stress, history_of<LawType, dim>(state + p * point_state_size<LawType, dim>));
+      stress = Kinematics::template conjugate<T, dim>(strain, stress);
       for (int k = 0; k < symmetric_size<dim>; ++k) sum[k] += stress[k];
       moments.add_moments(p, stress);
     }
@@ -169,7 +170,7 @@ struct AssumedStrainElement {
       coupled_piola<T, dim>(frame, mean, sum, M, P);
       turn<false>(frame, Q);
     } else {
-      Kinematics::template piola<T, dim>(frame, sum, P);
+      Kinematics::template piola<T, dim>(frame, mean, sum, P);
     }
     for (int i = 0; i < dim; ++i) {
       for (int j = 0; j < dim; ++j) P[i][j] *= weight;

@@ -26,6 +26,8 @@ struct Energies {
 class CellLoop {
  public:
   virtual ~CellLoop() = default;
+  /// The step (s) that the next add_force() takes, for laws that ask for it.
+  virtual void set_step(double) {}
   /// f += the internal force of the cells, ghost slots included; advances the state of the material.
   virtual void add_force(const double* u, double* f) = 0;
   /// y += K x of the undeformed elastic body.

@@ -137,6 +137,9 @@ class Loop final : public StiffnessLoop<ElementType, dim, T> {
   Loop(const LoopInput& in, const LawType& law)
       : Base(in, law.elastic()), material_{law, law.elastic(), in.hourglass}, state_(batches_.count * state_size * lanes, 0.0) {}
 
+  void set_step([[maybe_unused]] double dt) override {
+    if constexpr (requires { material_.law.set_step(dt); }) material_.law.set_step(dt);
+  }
   void add_force(const double* u, double* f) override {
     parallel_for(batches_.count, batches_per_domain, [&](std::size_t begin, std::size_t end) {
       Unobserved nobody;
@@ -162,11 +165,15 @@ class Loop final : public StiffnessLoop<ElementType, dim, T> {
     std::vector<double> hourglass(batches_.count, 0.0), plastic(state_size == 0 ? 0 : batches_.count, 0.0);
     Energies sum;
     sum.strain = thickness_ * parallel_sum(batches_.count, [&](std::size_t begin, std::size_t end) {
-      EnergyObserver<LawType, dim> observer{material_};
-      observe(u, begin * lanes, std::min(end * lanes, batches_.cells), observer);
-      hourglass[begin] = observer.hourglass_;
-      if constexpr (state_size > 0) plastic[begin] = observer.plastic;
-      return observer.strain;
+      const std::size_t whole = std::min(end, batches_.cells / lanes);  // the last batch may repeat its last cell
+      EnergyObserver<LawType, dim, T> many{material_};
+      for (std::size_t b = begin; b < whole; ++b)
+        for (int lane = 0; lane < lanes; lane += lanes_of<T>) observe_cell<T>(u, b, lane, many);
+      EnergyObserver<LawType, dim, double> few{material_};
+      observe(u, std::max(begin, whole) * lanes, std::min(end * lanes, batches_.cells), few);
+      hourglass[begin] = horizontal_sum(many.hourglass_) + few.hourglass_;
+      if constexpr (state_size > 0) plastic[begin] = horizontal_sum(many.plastic) + few.plastic;
+      return horizontal_sum(many.strain) + few.strain;
     });
     for (const double part : hourglass) sum.hourglass += thickness_ * part;
     for (const double part : plastic) sum.plastic += thickness_ * part;
@@ -174,7 +181,7 @@ class Loop final : public StiffnessLoop<ElementType, dim, T> {
   }
 
   void samples(const double* u, std::size_t begin, std::size_t end, const std::function<void(const Sample&)>& take) const override {
-    SampleObserver<LawType, dim> observer{material_.law, take};
+    SampleObserver<Kinematics, LawType, dim> observer{material_.law, take};
     observe(u, begin, end, observer);
   }
   std::size_t bytes() const override { return Base::bytes() + state_.capacity() * sizeof(double); }
@@ -183,24 +190,29 @@ class Loop final : public StiffnessLoop<ElementType, dim, T> {
   }
 
  private:
-  void read_state(std::size_t b, int lane, double* state) const {
-    for (int k = 0; k < state_size; ++k) state[k] = state_[(b * state_size + k) * lanes + lane];
+  template <class S>
+  FEMSPH_INLINE void read_state(std::size_t b, int lane, S* state) const {
+    for (int k = 0; k < state_size; ++k) state[k] = load<S>(&state_[(b * state_size + k) * lanes + lane]);
   }
 
-  /// Shows the material points of cells begin .. end - 1 to the observer, and leaves the state alone.
+  /// Shows the material points of a cell (or of eight) to the observer, and leaves the state alone.
+  template <class S, class Observer>
+  void observe_cell(const double* u, std::size_t b, int lane, Observer& observer) const {
+    S f[size], state[state_size + 1];
+    read_state(b, lane, state);
+    this->template cell<Kinematics>(material_, b, lane, u, state, f, observer);
+  }
   template <class Observer>
   void observe(const double* u, std::size_t begin, std::size_t end, Observer& observer) const {
     for (std::size_t c = begin; c < end; ++c) {
       const std::size_t b = c / lanes;
       const int lane = static_cast<int>(c % lanes);
-      double f[size], state[state_size + 1];
-      read_state(b, lane, state);
       observer.enter(c * points, this->template axes<double>(b, lane));
-      this->template cell<Kinematics>(material_, b, lane, u, state, f, observer);
+      observe_cell<double>(u, b, lane, observer);
     }
   }
 
-  const CellMaterial<LawType> material_;
+  CellMaterial<LawType> material_;
   AlignedVector<double> state_;  ///< (batch * state_size + value) * lanes + lane
 };
 
@@ -211,12 +223,14 @@ std::unique_ptr<CellLoop> choose_loop(const LoopInput& in) {
       [&](const auto& law) -> std::unique_ptr<CellLoop> {
         using LawType = std::decay_t<decltype(law)>;
         const auto with = [&]<class Kinematics, int dim>() -> std::unique_ptr<CellLoop> {
-          if (in.scalar_kernel) return std::make_unique<Loop<ElementType, Kinematics, LawType, dim, double>>(in, law);
+          if constexpr (!LargeMotionOnly<LawType>)  // the others have no scalar form, to spare the compiler
+            if (in.scalar_kernel) return std::make_unique<Loop<ElementType, Kinematics, LawType, dim, double>>(in, law);
           return std::make_unique<Loop<ElementType, Kinematics, LawType, dim, Pack>>(in, law);
         };
-        if (in.mesh->dim == 2)
-          return in.large_motion ? with.template operator()<FiniteRotation, 2>() : with.template operator()<SmallStrain, 2>();
-        return in.large_motion ? with.template operator()<FiniteRotation, 3>() : with.template operator()<SmallStrain, 3>();
+        const bool plane = in.mesh->dim == 2;
+        if (in.large_motion) return plane ? with.template operator()<LargeMotion<LawType>, 2>() : with.template operator()<LargeMotion<LawType>, 3>();
+        if constexpr (LargeMotionOnly<LawType>) throw std::runtime_error("this material needs motion = \"large\"");
+        else return plane ? with.template operator()<SmallStrain, 2>() : with.template operator()<SmallStrain, 3>();
       },
       in.law);
 }

@@ -43,17 +43,23 @@ struct FullElement {
                                   Observer& observer) {
     const GaussCell<T, dim> x(X), y(u);
     GaussForce<T, dim> sum;
-#pragma GCC unroll 8
-    for (int q = 0; q < corners<dim>; ++q) {
+    const auto point = [&](int q) __attribute__((always_inline)) {
       Tensor<T, dim> C, P;
       const T det = cofactors<T, dim>(x.at(q), C);
       const Tensor<T, dim> H = displacement_gradient<T, dim>(y.at(q), C, 1.0 / det);
       Symmetric<T, dim> strain;
       const auto frame = Kinematics::template strain<T, dim>(H, strain);
-      const auto stress = advance_law<LawType, T, dim>(material.law, strain, state + q * point_state_size<LawType, dim>);
+      const auto stress = advance_law<LawType, T, dim, Kinematics>(material.law, strain, state + q * point_state_size<LawType, dim>);
       observer.point(q, det, frame, strain, stress, history_of<LawType, dim>(state + q * point_state_size<LawType, dim>));
-      Kinematics::template piola<T, dim>(frame, stress, P);
+      Kinematics::template piola<T, dim>(frame, strain, stress, P);
       sum.add(q, P, C);
+    };
+    if constexpr (LawType::path_independent) {
+#pragma GCC unroll 8
+      for (int q = 0; q < corners<dim>; ++q) point(q);
+    } else {  // eight copies of a long body would not fit the processor's store of decoded instructions
+#pragma GCC unroll 1
+      for (int q = 0; q < corners<dim>; ++q) point(q);
     }
     sum.nodal(f);
   }
@@ -87,8 +93,9 @@ struct SriElement {
     for (int q = 0; q < n; ++q) {
       Symmetric<T, dim> assumed = strain[q];
       for (int k = 0; k < shears; ++k) assumed[dim + k] = shear_strain[k] * share;
-      stress[q] = advance_law<LawType, T, dim>(material.law, assumed, state + q * point_state_size<LawType, dim>);
+      stress[q] = advance_law<LawType, T, dim, Kinematics>(material.law, assumed, state + q * point_state_size<LawType, dim>);
       observer.point(q, det[q], frame[q], assumed, stress[q], history_of<LawType, dim>(state + q * point_state_size<LawType, dim>));
+      stress[q] = Kinematics::template conjugate<T, dim>(assumed, stress[q]);
       for (int k = 0; k < shears; ++k) shear_stress[k] += det[q] * stress[q][dim + k];
     }
     GaussForce<T, dim> sum;
@@ -98,7 +105,7 @@ struct SriElement {
       if constexpr (rotates<Kinematics>)
         coupled_piola<T, dim>(frame[q], strain[q], stress[q], Tensor<T, dim>{}, P);
       else
-        Kinematics::template piola<T, dim>(frame[q], stress[q], P);
+        Kinematics::template piola<T, dim>(frame[q], strain[q], stress[q], P);
       sum.add(q, P, C[q]);
     }
     sum.nodal(f);
@@ -124,9 +131,9 @@ struct OnePointElement {
     cell.strain(u, L, q);
     Symmetric<T, dim> strain;
     const auto frame = Kinematics::template strain<T, dim>(L, strain);
-    const auto stress = advance_law<LawType, T, dim>(material.law, strain, state);
+    const auto stress = advance_law<LawType, T, dim, Kinematics>(material.law, strain, state);
     observer.point(0, cell.volume, frame, strain, stress, history_of<LawType, dim>(state));
-    Kinematics::template piola<T, dim>(frame, stress, P);
+    Kinematics::template piola<T, dim>(frame, strain, stress, P);
     for (int i = 0; i < dim; ++i)
       for (int j = 0; j < dim; ++j) P[i][j] *= cell.volume;
 

@@ -7,6 +7,7 @@
 
 #include "fem/geometry.hpp"
 #include "model/numerics/least_squares.hpp"
+#include "model/scene/structured_shapes.hpp"
 
 namespace femsph::fem {
 
@@ -45,6 +46,8 @@ Layout interleaved(const Mesh& mesh, const Batches& batches) {
   return {mesh.node_count(), mesh.dim, dim, 1, 0, round_up(batches.slots * dim, lanes)};
 }
 
+bool is_curved(const Shape& shape) { return dynamic_cast<const Round*>(&shape) || dynamic_cast<const Ball*>(&shape); }
+
 }  // namespace
 
 std::unique_ptr<CellLoop> make_loop(Element element, const LoopInput& in) {
@@ -69,7 +72,7 @@ ExplicitFem::ExplicitFem(const Scene& scene, std::size_t body, const Options& op
       batches_(mesh_),
       layout_(interleaved(mesh_, batches_)),
       spacing_(shortest_edge(mesh_)),
-      locator_(mesh_) {
+      locator_(mesh_, is_curved(*shape_) ? 0.2 : 0.0) {
   const Material& material = scene.material_of(scene.bodies[body]);
   const Law law = material.law(scene.plane);
   mass_ = lumped_mass(mesh_, material.density, thickness_);
@@ -94,8 +97,9 @@ std::size_t ExplicitFem::bytes() const {
          batches_.bytes() + locator_.bytes() + loop_->bytes() + bars_.bytes();
 }
 
-void ExplicitFem::internal_force(const double* u, const double*, double, double* f, double*) {
+void ExplicitFem::internal_force(const double* u, const double*, double dt, double* f, double*) {
   std::fill(f, f + layout_.size, 0.0);
+  loop_->set_step(dt);
   loop_->add_force(u, f);
   batches_.sum_ghosts(f, mesh_.dim);
   bars_.add_force(u, f);

@@ -61,7 +61,7 @@ Point inverse_map(const Mesh& mesh, std::size_t cell, const Point& p) {
 
 }  // namespace
 
-Locator::Locator(const Mesh& mesh) : mesh_(mesh) {
+Locator::Locator(const Mesh& mesh, double slack) : mesh_(mesh), slack_(slack) {
   const std::size_t n = mesh.cell_count();
   Bounds all = bounds_of(mesh, 0);
   Point cell{};
@@ -126,9 +126,26 @@ std::vector<Locator::Found> Locator::find_all(const Point& p) const {
     }
     if (inside) found.push_back(f);
   }
+  if (found.empty() && slack_ > 0) found = nearest(p);
   if (found.empty())
     throw std::runtime_error("the point (" + std::to_string(p[0]) + ", " + std::to_string(p[1]) + ", " + std::to_string(p[2]) +
                              ") m lies in no cell of the mesh");
+  return found;
+}
+
+/// A curved side is made of straight edges, and a point under the curve lies in no cell: the nearest one stands for it, if it is near.
+std::vector<Locator::Found> Locator::nearest(const Point& p) const {
+  double reach = 0;
+  for (int d = 0; d < mesh_.dim; ++d) reach += size_[d] * size_[d];
+  double best = slack_ * std::sqrt(reach);  // a bin is about a cell
+  std::vector<Found> found;
+  for (std::size_t c = 0; c < mesh_.cell_count(); ++c) {
+    Found f{c, inverse_map(mesh_, c, p)};
+    for (int d = 0; d < mesh_.dim; ++d) f.xi[d] = std::clamp(f.xi[d], -1.0, 1.0);
+    const Point x = map_point(mesh_, c, f.xi);
+    const double away = std::hypot(x[0] - p[0], x[1] - p[1], x[2] - p[2]);
+    if (away < best) best = away, found.assign(1, f);
+  }
   return found;
 }
 

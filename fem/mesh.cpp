@@ -1,6 +1,7 @@
 #include "fem/mesh.hpp"
 
 #include "fem/fem.hpp"
+#include "model/scene/structured_shapes.hpp"
 
 #include <deal.II/grid/grid_generator.h>
 #include <deal.II/grid/grid_tools.h>
@@ -132,8 +133,12 @@ void make_triangulation(const Shape& shape, const std::array<int, 3>& divisions,
     triangulate_cells<dim>(*cells, triangulation);
   else if (dynamic_cast<const Box*>(&shape))
     triangulate_box<dim>(shape, divisions, triangulation);
+  else if (const auto* structured = dynamic_cast<const StructuredShape*>(&shape))
+    triangulate_cells<dim>(structured->mesh(divisions), triangulation);
+  else if (const auto* disc = dynamic_cast<const Ball*>(&shape); disc && dim == 2)
+    triangulate_cells<dim>(Round(2, {disc->centre(), 0, disc->radius()}).mesh(divisions), triangulation);
   else
-    throw std::runtime_error("FEM can mesh a box, or a body that comes with its own cells, but not " + shape.describe());
+    throw std::runtime_error("FEM has no mesh for a " + shape.describe() + "; give it as a body that comes with its own cells (shape = \"mesh\")");
   if (distortion > 0) dealii::GridTools::distort_random(distortion, triangulation, true, 12345u);
 }
 

@@ -3,24 +3,26 @@
 
 #include "fem/cell_loop.hpp"
 #include "fem/elements.hpp"
+#include "model/material/spatial_state.hpp"
 
 namespace femsph::fem {
 
-template <class LawType, int dim>
+/// Of one cell at a time, or of eight (S = Pack).
+template <class LawType, int dim, class S>
 struct EnergyObserver {
   const CellMaterial<LawType>& material;
-  double strain = 0, plastic = 0, hourglass_ = 0;
+  S strain{}, plastic{}, hourglass_{};
 
   void enter(std::size_t, const Tensor<double, dim>&) {}
   template <class Frame>
-  void point(int, double volume, const Frame&, const Symmetric<double, dim>& e, const Symmetric<double, dim>& s, const double* history) {
+  FEMSPH_INLINE void point(int, const S& volume, const Frame&, const Symmetric<S, dim>& e, const Symmetric<S, dim>& s, const S* history) {
     strain += volume * material.law.stored_energy(e, s, history);
     if constexpr (!LawType::path_independent) plastic += volume * material.law.plastic_work(history);
   }
-  void hourglass(double energy) { hourglass_ += energy; }
+  FEMSPH_INLINE void hourglass(const S& energy) { hourglass_ += energy; }
 };
 
-template <class LawType, int dim>
+template <class Kinematics, class LawType, int dim>
 struct SampleObserver {
   const LawType& law;
   const std::function<void(const Sample&)>& take;
@@ -37,22 +39,10 @@ struct SampleObserver {
              const Symmetric<double, dim>& s, const double* history) {
     give(q, volume, axes, e, s, across(e, s, history), history);
   }
-  /// Cauchy stress of the Biot stress T: F = R U, P = R T, sigma = P F^T / det F = R (T U) R^T / det F, symmetrised.
-  void point(int q, double volume, const Tensor<double, dim>& R, const Symmetric<double, dim>& e, const Symmetric<double, dim>& T,
+  void point(int q, double volume, const Tensor<double, dim>& R, const Symmetric<double, dim>& e, const Symmetric<double, dim>& law_stress,
              const double* history) {
-    Symmetric<double, dim> U = e, s{};
-    for (int i = 0; i < dim; ++i) U[i] += 1.0;
-    for (int i = 0; i < dim; ++i)
-      for (int j = i; j < dim; ++j)
-        for (int k = 0; k < dim; ++k) s(i, j) += 0.5 * (T(i, k) * U(k, j) + T(j, k) * U(k, i));
-    Tensor<double, dim> full, unused;
-    for (int i = 0; i < dim; ++i)
-      for (int j = 0; j < dim; ++j) full[i][j] = U(i, j);
-    double det = cofactors<double, dim>(full, unused);
-    Across normal = across(e, T, history);
-    det *= 1 + normal.strain;
-    normal.stress *= (1 + normal.strain) / det;
-    for (int k = 0; k < symmetric_size<dim>; ++k) s[k] /= det;
+    Across normal = across(e, law_stress, history);
+    const Symmetric<double, dim> s = corotated_cauchy<Kinematics>(e, law_stress, normal.stress, normal.strain);
     Tensor<double, dim> total{};
     for (int i = 0; i < dim; ++i)
       for (int j = 0; j < dim; ++j)
@@ -67,7 +57,7 @@ struct SampleObserver {
   };
   Across across([[maybe_unused]] const Symmetric<double, dim>& e, [[maybe_unused]] const Symmetric<double, dim>& s,
                 [[maybe_unused]] const double* history) const {
-    if constexpr (dim == 2) return {law.thickness_stress(s, history), law.thickness_strain(e, s, history)};
+    if constexpr (dim == 2) return {law.thickness_stress(e, s, history), law.thickness_strain(e, s, history)};
     else return {};
   }
   static std::array<double, 6> turned(const Tensor<double, dim>& R, const Symmetric<double, dim>& s) {

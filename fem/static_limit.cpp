@@ -127,6 +127,7 @@ class StaticSolver {
 
   /// Distributes a load over its place: shape functions integrated over the faces, edges or vertices on it, or over the body.
   void add_load(const Load& load, dealii::Vector<double>& force) const {
+    if (load.pressure != 0) throw std::runtime_error("the converged static limit takes forces, not a pressure");
     std::vector<double> share(dofs_.n_dofs(), 0.0);
     if (load.place.point) {
       for (const auto i : nearest(*load.place.point)) share[i] = 1;
@@ -262,7 +263,7 @@ class StaticSolver {
       }
     if (dim == 2) {
       e[2] = law_.thickness_strain({e[0], e[1], e[3]}, {s[0], s[1], s[3]}, nullptr);
-      s[2] = law_.thickness_stress({s[0], s[1], s[3]}, nullptr);
+      s[2] = law_.thickness_stress({}, {s[0], s[1], s[3]}, nullptr);
     }
     if (quantity == Quantity::equivalent_stress) return {von_mises({s[0], s[1], s[2], s[3], s[4], s[5]})};
     if (quantity == Quantity::plastic_strain) return {0};

@@ -40,11 +40,12 @@ class TotalLagrangian final : public ParticleBody {
     return ParticleBody::bytes() + stencils_.bytes() + (adjoint_ ? adjoint_->bytes() : 0) + (viscosity_ ? viscosity_->bytes() : 0) + arrays * sizeof(double);
   }
 
-  void internal_force(const double* given, const double* v, double, double* f, double* viscous) override {
+  void internal_force(const double* given, const double* v, [[maybe_unused]] double dt, double* f, double* viscous) override {
+    if constexpr (requires { law_.set_step(dt); }) law_.set_step(dt);
     const double* u = with_mirrored(given);
     strain_to_stress<Kinematics>(u, [&](std::size_t block, const Symmetric<Pack, dim>& strain) __attribute__((always_inline)) {
       if constexpr (n_state == 0) return law_.stress(strain);
-      else return advance_law<LawType, Pack, dim>(law_, strain, reinterpret_cast<Pack*>(&state_[block * n_state * lanes]));
+      else return advance_law<LawType, Pack, dim, Kinematics>(law_, strain, reinterpret_cast<Pack*>(&state_[block * n_state * lanes]));
     });
     add_bars<Kinematics>(u, bars_.pieces, [](const BarLaw& law, double strain, BarState& state) { return law.advance(strain, state); });
     mirror_stress();
@@ -242,7 +243,8 @@ class TotalLagrangian final : public ParticleBody {
         gradient<hourglass>(block, u, H, L);
         Symmetric<Pack, dim> strain;
         const auto frame = Motion::template strain<Pack, dim>(H, strain);
-        Motion::template piola<Pack, dim>(frame, stress_of(block, strain), P);
+        const Symmetric<Pack, dim> stress = stress_of(block, strain);
+        Motion::template piola<Pack, dim>(frame, strain, stress, P);
         if constexpr (corrected) P = times_correction(block, P);
         if constexpr (hourglass)
           for (int r = 0; r < dim; ++r) {

@@ -19,14 +19,18 @@ std::unique_ptr<Discretization> total_lagrangian(const Scene& scene, std::size_t
           return lattice ? with.template operator()<LatticeStencils<dim>, Kinematics, correction>()
                          : with.template operator()<ListStencils<dim>, Kinematics, correction>();
         };
-        if (options.formulation == Formulation::classic)
-          return options.boundary == Boundary::weight ? packed.template operator()<SmallStrain, Correction::matrix>()
-                                                      : packed.template operator()<SmallStrain, Correction::none>();
-        const bool hourglass = options.hourglass > 0;
-        if (scene.large_motion)
-          return hourglass ? packed.template operator()<FiniteRotation, Correction::matrix_and_hourglass>()
-                           : packed.template operator()<FiniteRotation, Correction::matrix>();
-        return hourglass ? packed.template operator()<SmallStrain, Correction::matrix_and_hourglass>() : packed.template operator()<SmallStrain, Correction::matrix>();
+        const bool hourglass = options.hourglass > 0, classic = options.formulation == Formulation::classic;
+        if (scene.large_motion && !classic)
+          return hourglass ? packed.template operator()<LargeMotion<LawType>, Correction::matrix_and_hourglass>()
+                           : packed.template operator()<LargeMotion<LawType>, Correction::matrix>();
+        if constexpr (LargeMotionOnly<LawType>) {
+          throw std::runtime_error("this material needs motion = \"large\"");
+        } else {
+          if (classic)
+            return options.boundary == Boundary::weight ? packed.template operator()<SmallStrain, Correction::matrix>()
+                                                        : packed.template operator()<SmallStrain, Correction::none>();
+          return hourglass ? packed.template operator()<SmallStrain, Correction::matrix_and_hourglass>() : packed.template operator()<SmallStrain, Correction::matrix>();
+        }
       },
       law);
 }

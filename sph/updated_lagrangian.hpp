@@ -1,30 +1,30 @@
 #pragma once
-// Classic SPH for large motion: neighbours and kernel gradients follow the particles, the stress follows the Jaumann rate (eq. 9 of the
-// paper). Strain increments are taken at the middle of the step, x(n) - dt/2 v(n-1/2). One step is two passes over the particles, each
-// after the fields that neighbours read have been laid down as records:
-//   1  L_i = dt sum_j V_j (v_j - v_i) (x) grad_i W_ij;  turn; law;  V_i *= 1 + tr L_i
+// Classic SPH for large motion: neighbours and kernel gradients follow the particles. Velocity gradients are taken at the middle of the
+// step, x(n) - dt/2 v(n-1/2). One step is two passes over the particles, each after the fields that neighbours read have been laid down
+// as records:
+//   1  L_i = dt sum_j V_j (v_j - v_i) (x) grad_i W_ij;  the material point (rate_point.hpp, stretch_point.hpp) makes stress and V_i of it
 //   2  f_i = V_i sum_j V_j (sigma_i + sigma_j) grad_i W_ij,  equal and opposite within each pair
 
 #include <fmt/format.h>
 
 #include <algorithm>
 
-#include "model/material/law.hpp"
 #include "sph/discretize.hpp"
-#include "sph/jaumann.hpp"
 #include "sph/moving_neighbours.hpp"
 #include "sph/particle_records.hpp"
+#include "sph/rate_point.hpp"
+#include "sph/stretch_point.hpp"
 
 namespace femsph::sph {
 
+/// What a particle of this law carries.
+template <int dim, class LawType>
+using UpdatedPoint = std::conditional_t<LargeMotionOnly<LawType>, StretchPoint<dim, LawType>, RatePoint<dim, LawType>>;
+
 template <int dim, class LawType>
 class UpdatedLagrangian final : public ParticleBody {
-  static constexpr int n = symmetric_size<dim>, n_history = LawType::template history_size<dim>;
-  static constexpr bool elastic = LawType::path_independent;
-  /// State of a particle. `work`, J: of the stress if the law stores it all, else what it does not store.
-  enum Slot { stress = 0, strain = n, work = 2 * n, history = 2 * n + 1 };
-  static constexpr int n_state = history + n_history;
-  using State = Pack[n_state];
+  static constexpr int n = symmetric_size<dim>;
+  using State = UpdatedPoint<dim, LawType>;
 
  public:
   UpdatedLagrangian(const Scene& scene, std::size_t body, const Options& options, Particles particles, const Kernel& kernel, const LawType& law)
@@ -32,7 +32,9 @@ class UpdatedLagrangian final : public ParticleBody {
         neighbours_(particles_.position, layout_, kernel.radius(), 0.3 * particles_.spacing) {
     Scene small = scene;  // the undeformed body moves little: its stiffness is that of the fixed neighbours
     small.large_motion = false;
-    small.materials.at(small.bodies[body].material).plasticity.reset();
+    Material& material = small.materials.at(small.bodies[body].material);
+    material.plasticity.reset();
+    material.neo_hookean = false;
     small_ = discretize(small, body, options);
     start_.assign(layout_.size, 0.0);
     volume_.assign(blocks_ * lanes, 0.0);
@@ -40,7 +42,7 @@ class UpdatedLagrangian final : public ParticleBody {
       volume_[i] = particles_.volume[i];
       for (int c = 0; c < dim; ++c) start_[layout_.at(i, c)] = particles_.position[i][std::size_t(c)];
     }
-    state_.assign(blocks_ * n_state * lanes, 0.0);
+    state_.assign(blocks_ * State::size * lanes, 0.0);
     motion_.resize(particles_.size());
     forces_.resize(particles_.size());
   }
@@ -55,20 +57,16 @@ class UpdatedLagrangian final : public ParticleBody {
   void damping_matrix(const double* x, double* y) const override { small_->damping_matrix(x, y); }
 
   double strain_energy(const double*) const override {
-    if constexpr (elastic) return sum_over_blocks([&](std::size_t block) { return state(block)[work]; });
-    else
-      return thickness_ * sum_over_blocks([&](std::size_t block) {
-        const Symmetric<Pack, dim> s = stress_of(state(block));
-        return volume(block) * law_.stored_energy(s, s, state(block) + history);
-      });
+    return thickness_ * sum_over_blocks([&](std::size_t block) { return State::stored(law_, volume(block), state(block)); });
   }
   double dissipated_energy(const double*) const override {
-    if constexpr (elastic) return 0;
-    else return sum_over_blocks([&](std::size_t block) { return state(block)[work]; });
+    if constexpr (!State::plastic) return 0;
+    else return thickness_ * sum_over_blocks([&](std::size_t block) { return State::lost(state(block)); });
   }
 
   void internal_force(const double* u, const double* v, double dt, double* f, double* viscous) override {
     neighbours_.update(u);
+    if constexpr (requires { law_.set_step(dt); }) law_.set_step(dt);
     const bool wendland = kernel_.kind() == KernelKind::wendland_c2;
     const auto step = [&](const double* rate, double time) { wendland ? advance<WendlandC2>(u, rate, time) : advance<CubicSpline>(u, rate, time); };
     if (dt > 0) step(v, dt);
@@ -87,40 +85,28 @@ class UpdatedLagrangian final : public ParticleBody {
   std::optional<Trouble> trouble(const double* u) const override;
 
   void material_state(const double*, std::span<const std::size_t> points, MaterialState& out) const override {
-    out.stress.assign(points.size(), {});
-    out.strain.assign(points.size(), {});
-    out.plastic.resize(elastic ? 0 : points.size());
+    out.stress.resize(points.size());
+    out.strain.resize(points.size());
+    out.plastic.resize(State::plastic ? points.size() : 0);
     for (std::size_t k = 0; k < points.size(); ++k) {
-      double own[n_state];
-      for (int c = 0; c < n_state; ++c) own[c] = state(points[k] / lanes)[c][points[k] % lanes];
-      const double *s = own + stress, *e = own + strain;
-      if constexpr (dim == 2) {
-        const Symmetric<double, 2> plane_stress{s[0], s[1], s[2]}, plane_strain{e[0], e[1], e[2]};
-        out.stress[k] = {s[0], s[1], law_.thickness_stress(plane_stress, own + history), s[2], 0, 0};
-        out.strain[k] = {e[0], e[1], law_.thickness_strain(plane_strain, plane_stress, own + history), e[2], 0, 0};
-      } else {
-        for (std::size_t c = 0; c < 6; ++c) out.stress[k][c] = s[c], out.strain[k][c] = e[c];
-      }
-      if constexpr (!elastic) out.plastic[k] = law_.plastic_strain(own + history);
+      double own[State::size];
+      for (int c = 0; c < State::size; ++c) own[c] = state(points[k] / lanes)[c][points[k] % lanes];
+      State::show(law_, own, out.stress[k], out.strain[k]);
+      if constexpr (State::plastic) out.plastic[k] = State::plastic_strain(law_, own);
     }
   }
 
  private:
   // What a particle lays down for its neighbours: before the first pass x, v, V, and before the second x, V, sigma, v.
   enum Motion { middle = 0, velocity = dim, extent = 2 * dim };
-  enum Force { place = 0, measure = dim, cauchy = dim + 1, speed = dim + 1 + n };
+  enum Force { place = 0, measure = dim, pull = dim + 1, speed = dim + 1 + n };
   using MotionRecords = ParticleRecords<1>;
   using ForceRecords = ParticleRecords<(dim + 1 + n + dim + lanes - 1) / lanes>;
 
-  FEMSPH_INLINE Pack* state(std::size_t block) { return reinterpret_cast<Pack*>(&state_[block * n_state * lanes]); }
-  FEMSPH_INLINE const Pack* state(std::size_t block) const { return reinterpret_cast<const Pack*>(&state_[block * n_state * lanes]); }
+  FEMSPH_INLINE Pack* state(std::size_t block) { return reinterpret_cast<Pack*>(&state_[block * State::size * lanes]); }
+  FEMSPH_INLINE const Pack* state(std::size_t block) const { return reinterpret_cast<const Pack*>(&state_[block * State::size * lanes]); }
   FEMSPH_INLINE Pack volume(std::size_t block) const { return load<Pack>(&volume_[block * lanes]); }
   FEMSPH_INLINE std::size_t slot(std::size_t block, int c) const { return layout_.offset + block * lanes + std::size_t(c) * layout_.component_stride; }
-  FEMSPH_INLINE static Symmetric<Pack, dim> stress_of(const Pack* state) {
-    Symmetric<Pack, dim> s;
-    for (int k = 0; k < n; ++k) s[k] = state[stress + k];
-    return s;
-  }
   template <class Part>
   double sum_over_blocks(Part&& part) const {
     return parallel_sum(blocks_, [&](std::size_t begin, std::size_t end) {
@@ -165,32 +151,10 @@ class UpdatedLagrangian final : public ParticleBody {
       }
       for (int r = 0; r < dim; ++r)
         for (int c = 0; c < dim; ++c) L[r][c] *= factor;
-      advance_block(block, L);
+      Pack grown = volume(block);
+      State::advance(law_, L, grown, state(block));
+      store(&volume_[block * lanes], grown);
     });
-  }
-
-  /// L: velocity gradient times dt.
-  FEMSPH_INLINE void advance_block(std::size_t block, const Tensor<Pack, dim>& L) {
-    Pack* own = state(block);
-    Symmetric<Pack, dim> D, e, now, mean;
-    Tensor<Pack, dim> W;
-    split_motion<Pack, dim>(L, D, W);
-    const Tensor<Pack, dim> Q = turn_of<Pack, dim>(W);
-    for (int k = 0; k < n; ++k) e[k] = own[strain + k];
-    e = turned<Pack, dim>(Q, e);
-    mean = now = turned<Pack, dim>(Q, stress_of(own));
-    [[maybe_unused]] Pack taken{};
-    if constexpr (!elastic) taken = law_.plastic_work(own + history);
-    law_.update(D, now, own + history);
-    for (int k = 0; k < n; ++k) {
-      own[stress + k] = now[k];
-      own[strain + k] = e[k] + D[k];
-      mean[k] = 0.5 * (mean[k] + now[k]);
-    }
-    const Pack before = volume(block);
-    if constexpr (elastic) own[work] += contract(mean, D) * before * thickness_;
-    else own[work] += (law_.plastic_work(own + history) - taken) * before * thickness_;
-    store(&volume_[block * lanes], before * (1.0 + trace(D)));
   }
 
   void lay_down_forces(const double* u, const double* v) {
@@ -201,7 +165,8 @@ class UpdatedLagrangian final : public ParticleBody {
         own[speed + c] = load<Pack>(v + slot(block, c));
       }
       own[measure] = volume(block);
-      for (int k = 0; k < n; ++k) own[cauchy + k] = state(block)[stress + k];
+      const Symmetric<Pack, dim> s = State::pull(state(block));
+      for (int k = 0; k < n; ++k) own[pull + k] = s[k];
       forces_.store_block(block, own);
     });
   }
@@ -223,7 +188,7 @@ class UpdatedLagrangian final : public ParticleBody {
         for (int r = 0; r < dim; ++r)
           for (int c = 0; c < dim; ++c) {
             const int k = symmetric_index<dim>(r, c);
-            force[r] += (own[cauchy + k] + other[cauchy + k]) * w[c];
+            force[r] += (own[pull + k] + other[pull + k]) * w[c];
           }
         if constexpr (with_viscosity) {
           Pack along{};

@@ -55,7 +55,7 @@ struct BarLaw {
 template <class Kinematics, int dim>
 double bar_strain(const double (&g)[dim], int a, double (&pull)[dim]) {
   for (int r = 0; r < dim; ++r) pull[r] = r == a ? 1.0 : 0.0;
-  if constexpr (std::is_same_v<Kinematics, FiniteRotation>) {
+  if constexpr (!std::is_same_v<Kinematics, SmallStrain>) {
     double square = 0;
     for (int r = 0; r < dim; ++r) pull[r] += g[r], square += pull[r] * pull[r];
     const double stretch = std::sqrt(square);

@@ -9,18 +9,21 @@
 //                          a strain increment carries stress and history from one step to the next,
 //   elastic()              its elastic part (for the critical step and hourglass stiffness),
 //   stored_energy(strain, stress, history)   J/m^3,
-//   thickness_stress(stress, history), thickness_strain(strain, stress, history)   what happens across the plane in 2D,
+//   thickness_stress(strain, stress, history), thickness_strain(strain, stress, history)   what happens across the plane in 2D,
+//   set_step(dt)           only if it depends on the rate of strain: the step that the next increments take, s,
+//   large_motion_only      only if it is made for large motion alone,
 //   plastic_strain(history), plastic_work(history)   only if not path_independent: equivalent plastic strain; work not stored, J/m^3.
 // Strain and stress are Symmetric<T, dim>: tensor components, Pa. T is double or Pack.
 
 #include <variant>
 
 #include "model/material/linear_elastic.hpp"
+#include "model/material/neo_hookean.hpp"
 #include "model/material/plastic.hpp"
 
 namespace femsph {
 
 /// Every law a scene can name. A discretization visits it once, when it is built.
-using Law = std::variant<LinearElastic, Plastic>;
+using Law = std::variant<LinearElastic, Plastic, NeoHookean>;
 
 }  // namespace femsph

@@ -55,7 +55,7 @@ struct LinearElastic {
   double wave_speed() const { return std::sqrt((lambda + 2 * mu) / density); }
 
   /// Stress normal to the plane: 0 in plane stress, nu (sxx + syy) in plane strain.
-  double thickness_stress(const Symmetric<double, 2>& s, const double*) const { return plane == Plane::strain ? poisson * (s[0] + s[1]) : 0.0; }
+  double thickness_stress(const Symmetric<double, 2>&, const Symmetric<double, 2>& s, const double*) const { return plane == Plane::strain ? poisson * (s[0] + s[1]) : 0.0; }
   /// Strain normal to the plane: 0 in plane strain, -nu/(1 - nu) (exx + eyy) in plane stress.
   double thickness_strain(const Symmetric<double, 2>& e, const Symmetric<double, 2>&, const double*) const {
     return plane == Plane::stress ? -poisson / (1 - poisson) * (e[0] + e[1]) : 0.0;

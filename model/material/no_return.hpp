@@ -4,6 +4,7 @@
 //   D^ep = C - (C:a)(a:C) / (a:C:a + H),   a = dq/d sigma = 3 s / (2 q),   dp = a:C:d eps / (a:C:a + H),
 // when f >= 0 there and the step is loading (a:C:d eps > 0), else by C. Nothing holds the stress to the yield surface.
 
+#include "model/material/linear_elastic.hpp"
 #include "model/material/point_stress.hpp"
 
 namespace femsph::plastic {

@@ -1,5 +1,6 @@
 #include "model/material/plastic.hpp"
 
+#include "model/material/johnson_cook.hpp"
 #include "model/material/no_return.hpp"
 #include "model/material/return_mapping.hpp"
 #include "model/material/tension.hpp"
@@ -39,21 +40,18 @@ FEMSPH_INLINE T growth(const LinearElastic& base, const Plasticity& p, const T* 
 }  // namespace
 
 template <class T, int dim>
-void Plastic::update(const Symmetric<T, dim>& increment, Symmetric<T, dim>& stress, T* history) const {
+void Plastic::flow(const Symmetric<T, dim>& increment, Symmetric<T, dim>& stress, T* history) const {
   const Plasticity& p = parameters;
-  const PointStress<T, dim> before{stress, stress_across<T, dim>(history)};
-  PointStress<T, dim> trial = before;
-  base.update<T, dim>(increment, trial.in, nullptr);
-  if (dim == 2 && base.plane == Plane::strain) trial.across += base.lambda * trace(increment);
-
+  const PointStress<T, dim> before{stress, stress_across<T, dim>(history)}, trial = elastic_step(increment, stress, history);
   PointStress<T, dim> now = trial;
   const T initial = initial_yield(p, trial), yield = initial + growth(base, p, history);
-  const Flow<T> flow = p.integration == Integration::return_mapping
+  const Flow<T> step = p.johnson_cook ? johnson_cook_return(base, p, this->step, increment, history[equivalent_strain], history[work], history[excess], now)
+                       : p.integration == Integration::return_mapping
                            ? return_to_surface(base, p.hardening, yield, now)
                            : tangent_step<T, dim>(base, p.hardening, yield, increment, before, now);
   if (p.tension == TensionRule::principal) cut_tension(p.tensile_strength, now);
 
-  history[equivalent_strain] += flow.equivalent;
+  history[equivalent_strain] += step.equivalent;
   if (p.integration == Integration::largest_stress) history[excess] = larger(history[excess], von_mises(now) - initial);
   PointStress<T, dim> mean, lost;
   for (int k = 0; k < symmetric_size<dim>; ++k) {
@@ -65,14 +63,14 @@ void Plastic::update(const Symmetric<T, dim>& increment, Symmetric<T, dim>& stre
   history[work] += compliance<T, dim>(mean.in, mean.across, lost.in, lost.across);
   if constexpr (dim == 2) {
     if (base.plane == Plane::strain) history[across] = now.across;
-    else history[across] += flow.across;
+    else history[across] += step.across;
   }
   stress = now.in;
 }
 
-template void Plastic::update(const Symmetric<double, 2>&, Symmetric<double, 2>&, double*) const;
-template void Plastic::update(const Symmetric<double, 3>&, Symmetric<double, 3>&, double*) const;
-template void Plastic::update(const Symmetric<Pack, 2>&, Symmetric<Pack, 2>&, Pack*) const;
-template void Plastic::update(const Symmetric<Pack, 3>&, Symmetric<Pack, 3>&, Pack*) const;
+template void Plastic::flow(const Symmetric<double, 2>&, Symmetric<double, 2>&, double*) const;
+template void Plastic::flow(const Symmetric<double, 3>&, Symmetric<double, 3>&, double*) const;
+template void Plastic::flow(const Symmetric<Pack, 2>&, Symmetric<Pack, 2>&, Pack*) const;
+template void Plastic::flow(const Symmetric<Pack, 3>&, Symmetric<Pack, 3>&, Pack*) const;
 
 }  // namespace femsph

@@ -4,10 +4,14 @@
 //   yield      f = q - Y,  q = sqrt(3/2 s:s) (von Mises),  Y = yield + hardening p   (linear isotropic hardening; eq. 8 of the paper)
 //   flow       d eps^p = dp 3 s / (2 q),  p the equivalent plastic strain
 //
-// A tension rule and the way the stress is integrated are parameters of the one law, so that it is compiled once for all of them:
-// update() works on eight points a call, and asks for the rule once a call. The pieces: return_mapping.hpp, no_return.hpp, tension.hpp.
+// A tension rule and the way the stress is integrated are parameters of the one law, so that it is compiled once for all of them. The
+// elastic step and the question whether any of eight points yields stand in the kernels; what follows then is one call, flow(), which
+// asks for the rule once. The pieces: return_mapping.hpp, no_return.hpp, tension.hpp.
+
+#include <optional>
 
 #include "model/material/linear_elastic.hpp"
+#include "model/material/point_stress.hpp"
 
 namespace femsph {
 
@@ -26,6 +30,14 @@ enum class Integration {
   modulus_mistaken,  ///< hypothesis 8: as 1, but Y grows by E dp where H belongs (a slip in eq. 10)
 };
 
+/// What johnson_cook.hpp says; C = 0 for no effect of the rate, melting = 0 for none of the heat.
+struct JohnsonCook {
+  double B = 0, n = 1;            ///< Pa, 1
+  double C = 0, rate = 1;         ///< 1, pdot_0 in 1/s
+  double m = 1, melting = 0, room = 0, start = 0;  ///< 1, K: T_melt, T_room, T_0
+  double heating = 0;             ///< chi / (rho c), K m^3/J
+};
+
 /// What a material says about its plasticity.
 struct Plasticity {
   double yield = 0;      ///< Pa
@@ -33,22 +45,55 @@ struct Plasticity {
   TensionRule tension = TensionRule::none;
   double tensile_strength = 0;  ///< Pa; sign and principal only
   Integration integration = Integration::return_mapping;
+  std::optional<JohnsonCook> johnson_cook = {};  ///< in place of `hardening`; with return mapping and without a tension rule only
 };
 
 struct Plastic {
   LinearElastic base;
   Plasticity parameters;
+  double step = 0;  ///< s, that the next increments take; 0: unknown
+  void set_step(double dt) { step = dt; }
 
-  /// History of a point. `excess` is how far the largest equivalent stress so far passed the initial yield stress (hypothesis 3 only);
+  /// History of a point. `excess` is how far the largest equivalent stress so far passed the initial yield stress (hypothesis 3), or the flow of the last step (Johnson-Cook);
   /// `across` is the stress normal to the plane in plane strain, the plastic strain normal to the plane in plane stress.
   enum Slot { equivalent_strain, work, excess, across };
   template <int dim>
   static constexpr int history_size = dim == 2 ? 4 : 3;
   static constexpr bool path_independent = false;
 
-  /// Advances a point by a strain increment; in plastic.cpp, for T = double and Pack, dim = 2 and 3.
+  /// Advances a point by a strain increment. Where no lane yields, of the history only p is read, and nothing of it written in plane
+  /// stress and space: most of a body's points cost little more than elastic ones.
   template <class T, int dim>
-  void update(const Symmetric<T, dim>& increment, Symmetric<T, dim>& stress, T* history) const;
+  FEMSPH_INLINE void update(const Symmetric<T, dim>& increment, Symmetric<T, dim>& stress, T* history) const {
+    if (parameters.integration == Integration::return_mapping && parameters.tension == TensionRule::none && !parameters.johnson_cook) {
+      const plastic::PointStress<T, dim> trial = elastic_step(increment, stress, history);
+      const T yield = parameters.yield + parameters.hardening * history[equivalent_strain];
+      if (!any(plastic::von_mises_square(trial) > yield * yield)) {
+        stress = trial.in;
+        if constexpr (dim == 2) {
+          if (base.plane == Plane::strain) history[across] = trial.across;
+        }
+        return;
+      }
+    }
+    const Symmetric<T, dim> by = increment;  // copies: what the kernel holds in registers must not have an address
+    Symmetric<T, dim> to = stress;
+    flow(by, to, history);
+    stress = to;
+  }
+
+  /// update() by any rule, whether points yield or not; in plastic.cpp, for T = double and Pack, dim = 2 and 3.
+  template <class T, int dim>
+  void flow(const Symmetric<T, dim>& increment, Symmetric<T, dim>& stress, T* history) const;
+
+  /// The stress as if the step were elastic.
+  template <class T, int dim>
+  FEMSPH_INLINE plastic::PointStress<T, dim> elastic_step(const Symmetric<T, dim>& increment, const Symmetric<T, dim>& stress, const T* history) const {
+    plastic::PointStress<T, dim> trial{stress, stress_across<T, dim>(history)};
+    base.update<T, dim>(increment, trial.in, nullptr);
+    if (dim == 2 && base.plane == Plane::strain) trial.across += base.lambda * trace(increment);
+    return trial;
+  }
 
   /// a : C^-1 : b of three-dimensional stresses, the components across the plane given apart in 2D:
   /// (a:b - nu/(1 + nu) tr a tr b) / 2G.
@@ -76,7 +121,7 @@ struct Plastic {
 
   const LinearElastic& elastic() const { return base; }
   double wave_speed() const { return base.wave_speed(); }
-  double thickness_stress(const Symmetric<double, 2>&, const double* history) const { return stress_across<double, 2>(history); }
+  double thickness_stress(const Symmetric<double, 2>&, const Symmetric<double, 2>&, const double* history) const { return stress_across<double, 2>(history); }
   /// 0 in plane strain; in plane stress the elastic part -nu/E (sxx + syy) and the plastic part.
   double thickness_strain(const Symmetric<double, 2>&, const Symmetric<double, 2>& s, const double* history) const {
     if (base.plane != Plane::stress) return 0;

@@ -25,7 +25,7 @@ PointState step(const LawType& law, const std::array<double, 6>& g, double* stat
   const double* history = history_of<LawType, dim>(state);
   PointState out;
   if constexpr (dim == 2) {
-    out.stress = {s[0], s[1], law.thickness_stress(s, history), s[2], 0, 0};
+    out.stress = {s[0], s[1], law.thickness_stress(strain, s, history), s[2], 0, 0};
     out.strain_across = law.thickness_strain(strain, s, history);
     out.equivalent = plastic::von_mises<double, 2>({s, out.stress[2]});
   } else {

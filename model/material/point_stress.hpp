@@ -1,7 +1,7 @@
 #pragma once
 // What the pieces of Plastic share: a stress with its component across the plane, and its von Mises measure.
 
-#include "model/material/plastic.hpp"
+#include "model/numerics/tensor.hpp"
 
 namespace femsph::plastic {
 
@@ -20,9 +20,9 @@ struct PointStress {
   }
 };
 
-/// q = sqrt(3/2 s:s)
+/// q^2 = 3/2 s:s
 template <class T, int dim>
-FEMSPH_INLINE T von_mises(const PointStress<T, dim>& s) {
+FEMSPH_INLINE T von_mises_square(const PointStress<T, dim>& s) {
   const T zz = [&] {
     if constexpr (dim == 2) return s.across;
     else return s.in[2];
@@ -30,8 +30,11 @@ FEMSPH_INLINE T von_mises(const PointStress<T, dim>& s) {
   const T xy = s.in[0] - s.in[1], yz = s.in[1] - zz, zx = zz - s.in[0];
   T shear = s.in[dim] * s.in[dim];
   for (int k = dim + 1; k < symmetric_size<dim>; ++k) shear += s.in[k] * s.in[k];
-  return square_root(0.5 * (xy * xy + yz * yz + zx * zx) + 3.0 * shear);
+  return 0.5 * (xy * xy + yz * yz + zx * zx) + 3.0 * shear;
 }
+
+template <class T, int dim>
+FEMSPH_INLINE T von_mises(const PointStress<T, dim>& s) { return square_root(von_mises_square(s)); }
 
 /// What one step does beyond the stress itself.
 template <class T>

@@ -2,44 +2,58 @@
 // For output: what the law knows in its own frame, as Cauchy stress and strain in the axes of space.
 
 #include <array>
+#include <cmath>
 #include <type_traits>
 
 #include "model/material/kinematics.hpp"
 
 namespace femsph {
 
+/// Co-rotated Cauchy stress R^T sigma R of the law's stress. `normal_stress` and `normal_strain` are the law's across the plane in 2D, and leave as
+/// Cauchy stress and as stretch - 1; J includes that stretch.
+///   FiniteRotation   of the Biot stress T: sigma = P F^T / J = R (T U) R^T / J, symmetrised
+///   LargeStrain      of the Kirchhoff stress tau: sigma = R tau R^T / J; the strain across is logarithmic
+template <class Kinematics, int dim>
+Symmetric<double, dim> corotated_cauchy(const Symmetric<double, dim>& strain, const Symmetric<double, dim>& stress, double& normal_stress,
+                                        double& normal_strain) {
+  Symmetric<double, dim> s = stress;
+  if constexpr (std::is_same_v<Kinematics, SmallStrain>) return s;
+  constexpr bool kirchhoff = std::is_same_v<Kinematics, LargeStrain>;
+  if constexpr (kirchhoff) {
+    normal_strain = std::expm1(normal_strain);
+  } else {
+    Symmetric<double, dim> U = strain;
+    for (int i = 0; i < dim; ++i) U[i] += 1.0;
+    s = symmetric_product(stress, U);
+  }
+  const double J = (1 + growth(strain)) * (1 + normal_strain);
+  normal_stress *= (kirchhoff ? 1.0 : 1 + normal_strain) / J;
+  for (int k = 0; k < symmetric_size<dim>; ++k) s[k] /= J;
+  return s;
+}
+
 /// H: displacement gradient; stress, strain: in the law's frame; history: the law's own, null if it has none. Six components xx yy zz xy yz zx out, thickness direction included.
-/// With FiniteRotation the Cauchy stress is P F^T / J (J includes the stretch across the plane in 2D) and the strain is turned to space, R (U - I) R^T.
+/// In large motion the stress is Cauchy's and the strain is turned to space, R (U - I) R^T.
 template <class Kinematics, class LawType, int dim>
 void spatial_state(const LawType& law, const Tensor<double, dim>& H, Symmetric<double, dim> stress, Symmetric<double, dim> strain,
                    [[maybe_unused]] const double* history, std::array<double, 6>& stress_out, std::array<double, 6>& strain_out) {
   double szz = 0, ezz = 0;
   if constexpr (dim == 2) {
-    szz = law.thickness_stress(stress, history);
+    szz = law.thickness_stress(strain, stress, history);
     ezz = law.thickness_strain(strain, stress, history);
   }
-  if constexpr (std::is_same_v<Kinematics, FiniteRotation>) {
+  if constexpr (!std::is_same_v<Kinematics, SmallStrain>) {
+    const Symmetric<double, dim> e = strain, s = corotated_cauchy<Kinematics>(strain, stress, szz, ezz);
     Symmetric<double, dim> again;
-    const Tensor<double, dim> R = FiniteRotation::strain<double, dim>(H, again);
-    Tensor<double, dim> P, F = H;
-    for (int i = 0; i < dim; ++i) F[i][i] += 1;
-    FiniteRotation::piola<double, dim>(R, stress, P);
-    double J = F[0][0] * F[1][1] - F[0][1] * F[1][0];
-    if constexpr (dim == 3)
-      J = F[0][0] * (F[1][1] * F[2][2] - F[1][2] * F[2][1]) - F[0][1] * (F[1][0] * F[2][2] - F[1][2] * F[2][0]) +
-          F[0][2] * (F[1][0] * F[2][1] - F[1][1] * F[2][0]);
-    J *= 1 + ezz;
-    szz *= (1 + ezz) / J;
-    const Symmetric<double, dim> local = strain;
+    const Tensor<double, dim> R = Kinematics::template strain<double, dim>(H, again);
     for (int i = 0; i < dim; ++i)
       for (int j = i; j < dim; ++j) {
-        double s = 0, e = 0;
-        for (int k = 0; k < dim; ++k) {
-          s += 0.5 * (P[i][k] * F[j][k] + P[j][k] * F[i][k]);
-          for (int l = 0; l < dim; ++l) e += R[i][k] * local(k, l) * R[j][l];
-        }
-        stress(i, j) = s / J;
-        strain(i, j) = e;
+        stress(i, j) = strain(i, j) = 0;
+        for (int k = 0; k < dim; ++k)
+          for (int l = 0; l < dim; ++l) {
+            stress(i, j) += R[i][k] * s(k, l) * R[j][l];
+            strain(i, j) += R[i][k] * e(k, l) * R[j][l];
+          }
       }
   }
   if constexpr (dim == 2) {

@@ -6,6 +6,10 @@
 #include <cmath>
 #include <cstddef>
 
+#ifdef __AVX512DQ__
+#include <immintrin.h>
+#endif
+
 namespace femsph {
 
 inline constexpr int lanes = 8;
@@ -50,9 +54,15 @@ FEMSPH_INLINE Pack square_root(Pack x) {
 /// True when the condition holds in any lane.
 FEMSPH_INLINE bool any(bool mask) { return mask; }
 FEMSPH_INLINE bool any(PackMask mask) {
-  long r = 0;
-  for (int l = 0; l < lanes; ++l) r |= mask[l];
-  return r != 0;
+#ifdef __AVX512DQ__
+  return _mm512_movepi64_mask(reinterpret_cast<__m512i>(mask)) != 0;  // the comparison's own mask; GCC would take the lanes one by one
+#else
+  using Half = long __attribute__((vector_size(4 * sizeof(long))));
+  using Quarter = long __attribute__((vector_size(2 * sizeof(long))));
+  const Half h = __builtin_shufflevector(mask, mask, 0, 1, 2, 3) | __builtin_shufflevector(mask, mask, 4, 5, 6, 7);
+  const Quarter q = __builtin_shufflevector(h, h, 0, 1) | __builtin_shufflevector(h, h, 2, 3);
+  return (q[0] | q[1]) != 0;
+#endif
 }
 
 /// Sum over the lanes, in lane order.

@@ -69,7 +69,7 @@ bool is_zero(const Matrix& m) { return m == Matrix{}; }
 
 bool something_moves(const Scene& scene) {
   return (scene.gravity && !is_zero(*scene.gravity)) ||
-         std::any_of(scene.loads.begin(), scene.loads.end(), [](const Load& load) { return !is_zero(load.force); }) ||
+         std::any_of(scene.loads.begin(), scene.loads.end(), [](const Load& load) { return !is_zero(load.force) || load.pressure != 0; }) ||
          std::any_of(scene.supports.begin(), scene.supports.end(), [](const Support& support) { return !is_zero(support.velocity); }) ||
          std::any_of(scene.initial_displacements.begin(), scene.initial_displacements.end(), [](const auto& u) { return !is_zero(u.gradient); }) ||
          std::any_of(scene.initial_velocities.begin(), scene.initial_velocities.end(),
@@ -103,10 +103,17 @@ void read_supports(Fields& root, Reading& reading) {
 void read_loads(Fields& root, Reading& reading) {
   for (Fields& fields : root.tables("loads")) {
     const auto place = read_place(fields, reading);
-    const auto force = fields.vector("force", Need::required, dimension::force, reading.dim);
+    const bool by_pressure = fields.has("pressure");
+    const auto force = fields.vector("force", by_pressure ? Need::optional : Need::required, dimension::force, reading.dim);
+    const auto pressure = fields.quantity("pressure", Need::optional, dimension::pressure);
     const auto history = read_history(fields);
     fields.done();
-    if (place && force && history) reading.scene.loads.push_back({*place, *force, *history});
+    if (by_pressure && force) fields.fault("pressure", "both \"force\" and \"pressure\"; expected one of them");
+    if (by_pressure && place && place->sides.size() != 1)
+      fields.fault("pressure", "\"pressure\" needs one side of a body; expected at = \"x+\" or the like");
+    if (by_pressure && reading.scene.large_motion)
+      fields.fault("pressure", "\"pressure\" follows no large motion; expected motion = \"small\", or a \"force\"");
+    if (place && (force || pressure) && history) reading.scene.loads.push_back({*place, force.value_or(Point{}), *history, pressure.value_or(0)});
   }
 }
 

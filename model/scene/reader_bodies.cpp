@@ -25,10 +25,58 @@ double read_hardening(Fields& fields, double young) {
   return hardening.value_or(ratio ? young * *ratio / (1 - *ratio) : 0.0);
 }
 
-Plasticity read_plasticity(Fields& fields, double young) {
+/// [materials.NAME.johnson_cook]; `density` of the material, kg/m^3.
+JohnsonCook read_johnson_cook(Fields& material, double density) {
+  JohnsonCook jc;
+  auto table = material.table("johnson_cook", Need::required, "a table with B, n and what else the metal has");
+  if (!table) return jc;
+  const auto number = [&](const char* key, Need need, double otherwise, double least, double most, const std::string& expected) {
+    const auto value = table->number(key, need, expected);
+    if (value && !(*value >= least && *value <= most)) table->fault(key, fmt::format("\"{}\" is {}; expected {}", key, *value, expected));
+    return value.value_or(otherwise);
+  };
+  jc.B = table->quantity("B", Need::required, dimension::pressure, Sign::not_negative).value_or(0);
+  jc.n = number("n", Need::required, 1, 1e-3, 1, "a number above 0 and at most 1 (the exponent of the plastic strain)");
+  jc.C = number("C", Need::optional, 0, 0, 1, "a number from 0 to 1 (what a rate e times as high adds)");
+  jc.rate = table->quantity("reference_rate", jc.C > 0 ? Need::required : Need::optional, dimension::rate, Sign::positive).value_or(1);
+  const bool hot = table->has("melting");
+  const Need with_heat = hot ? Need::required : Need::optional;
+  jc.melting = table->quantity("melting", Need::optional, dimension::temperature, Sign::positive).value_or(0);
+  jc.m = number("m", with_heat, 1, 1e-3, 10, "a number above 0 (the exponent of the temperature)");
+  jc.room = table->quantity("room", with_heat, dimension::temperature, Sign::positive).value_or(0);
+  jc.start = table->quantity("temperature", Need::optional, dimension::temperature, Sign::positive).value_or(jc.room);
+  const auto capacity = table->quantity("heat_capacity", with_heat, dimension::heat_capacity, Sign::positive);
+  const double share = number("heat_share", Need::optional, 0.9, 0, 1, "a number from 0 to 1 (the share of plastic work that turns to heat)");
+  if (hot && jc.melting <= jc.room)
+    table->fault("melting", fmt::format("\"melting\" is {:g} K, not above \"room\", {:g} K; expected the higher of the two", jc.melting, jc.room));
+  if (!hot)
+    for (const char* key : {"m", "room", "temperature", "heat_capacity", "heat_share"})
+      if (table->has(key)) table->fault(key, fmt::format("\"{}\" without \"melting\"; expected both, or no effect of heat", key));
+  jc.heating = capacity ? share / (density * *capacity) : 0.0;
+  table->done();
+  return jc;
+}
+
+/// Johnson-Cook goes with the plain law alone, and needs a component of stress across the plane.
+void check_johnson_cook(Fields& fields, const Plasticity& p, const Reading& reading) {
+  for (const char* key : {"hardening", "tangent_ratio"})
+    if (fields.has(key)) fields.fault(key, fmt::format("\"{}\" with \"johnson_cook\", which says how the metal hardens; expected one of them", key));
+  if (p.tension != TensionRule::none) fields.fault("tension", "a tension rule with \"johnson_cook\"; expected none");
+  if (p.integration != Integration::return_mapping) fields.fault("integration", "\"integration\" with \"johnson_cook\"; expected \"return\"");
+  if (reading.dim == 2 && reading.scene.plane == Plane::stress)
+    fields.fault("johnson_cook", "\"johnson_cook\" in plane stress; expected plane = \"strain\" or \"none\" in [model]");
+}
+
+Plasticity read_plasticity(Fields& fields, const Material& material, const Reading& reading) {
   Plasticity p;
   p.yield = fields.quantity("yield", Need::required, dimension::pressure, Sign::positive).value_or(1);
-  p.hardening = read_hardening(fields, young);
+  if (fields.has("johnson_cook")) {
+    p.johnson_cook = read_johnson_cook(fields, material.density);
+    fields.quantity("hardening", Need::optional, dimension::pressure);
+    fields.number("tangent_ratio", Need::optional);
+  } else {
+    p.hardening = read_hardening(fields, material.young);
+  }
   p.tension = fields
                   .choice<TensionRule>("tension", Need::optional,
                                        {{"none", TensionRule::none}, {"sign", TensionRule::sign}, {"principal", TensionRule::principal}})
@@ -38,11 +86,15 @@ Plasticity read_plasticity(Fields& fields, double young) {
   if (!limited && fields.has("tensile_strength"))
     fields.fault("tensile_strength", "\"tensile_strength\" without a tension rule; expected tension = \"sign\" or \"principal\" with it");
   p.integration = fields.choice<Integration>("integration", Need::optional, integrations()).value_or(Integration::return_mapping);
+  if (p.johnson_cook) check_johnson_cook(fields, p, reading);
   return p;
 }
 
-Material read_material(const std::string& name, Fields& fields) {
-  const auto plastic = fields.choice<bool>("law", Need::required, {{"elastic", false}, {"plastic", true}});
+enum class LawWord { elastic, neo_hookean, plastic };
+
+Material read_material(const std::string& name, Fields& fields, const Reading& reading) {
+  const auto law = fields.choice<LawWord>("law", Need::required,
+                                          {{"elastic", LawWord::elastic}, {"neo-hookean", LawWord::neo_hookean}, {"plastic", LawWord::plastic}});
   const auto young = fields.quantity("young", Need::required, dimension::pressure, Sign::positive);
   const std::string range = "a number above -1 and below 0.5 (a stable, compressible material)";
   const auto poisson = fields.number("poisson", Need::required, range);
@@ -50,8 +102,11 @@ Material read_material(const std::string& name, Fields& fields) {
     fields.fault("poisson", fmt::format("\"poisson\" is {}; expected {}", *poisson, range));
   const auto density = fields.quantity("density", Need::required, dimension::density, Sign::positive);
   Material material{name, young.value_or(1), poisson.value_or(0), density.value_or(1)};
-  if (!plastic) fields.accept_rest();
-  if (plastic == true) material.plasticity = read_plasticity(fields, material.young);
+  if (!law) fields.accept_rest();
+  if (law == LawWord::plastic) material.plasticity = read_plasticity(fields, material, reading);
+  material.neo_hookean = law == LawWord::neo_hookean;
+  if (material.neo_hookean && reading.dim && !reading.scene.large_motion)
+    fields.fault("law", "\"law\" is \"neo-hookean\" with small motion, where it is the elastic law; expected motion = \"large\" in [model], or law = \"elastic\"");
   fields.done();
   return material;
 }
@@ -97,7 +152,7 @@ std::vector<std::string> body_names(const Scene& scene) {
 
 void read_materials(Fields& root, Reading& reading) {
   for (auto& [name, fields] : root.named_tables("materials", Need::required, "at least one table such as [materials.steel]"))
-    reading.scene.materials[name] = read_material(name, fields);
+    reading.scene.materials[name] = read_material(name, fields, reading);
 }
 
 void read_bodies(Fields& root, Reading& reading) {

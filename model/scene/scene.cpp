@@ -9,6 +9,7 @@ namespace femsph {
 Law Material::law(Plane plane) const {
   const LinearElastic elastic = LinearElastic::make(young, poisson, density, plane);
   if (plasticity) return Plastic{elastic, *plasticity};
+  if (neo_hookean) return NeoHookean::make(young, poisson, density, plane);
   return elastic;
 }
 
@@ -80,7 +81,7 @@ LinearElastic elastic_of(const Scene& scene, std::size_t body, const std::string
   const Material& material = scene.material_of(scene.bodies.at(body));
   const Law law = material.law(scene.plane);
   if (const auto* elastic = std::get_if<LinearElastic>(&law)) return *elastic;
-  throw std::runtime_error(what + " is linear elastic; the material \"" + material.name + "\" is plastic");
+  throw std::runtime_error(what + " is linear elastic; the material \"" + material.name + "\" is " + (material.neo_hookean ? "neo-Hookean" : "plastic"));
 }
 
 bool Scene::is_plastic() const {
@@ -97,9 +98,11 @@ void add_plastic_effects(const Scene& scene, std::vector<std::string>& on) {
   };
   for (const Body& body : scene.bodies) {
     if (body.rigid) continue;
+    if (scene.material_of(body).neo_hookean) add("neo-Hookean law");
     const auto& p = scene.material_of(body).plasticity;
     if (!p) continue;
     add("plasticity");
+    if (p->johnson_cook) add("Johnson-Cook yield stress");
     if (p->tension == TensionRule::sign) add("tension rule sign");
     if (p->tension == TensionRule::principal) add("tension rule principal");
     if (p->integration == Integration::tangent) add("no return mapping (hypothesis 1)");

@@ -22,6 +22,7 @@ struct Material {
   std::string name;
   double young, poisson, density;  ///< Pa, 1, kg/m^3
   std::optional<Plasticity> plasticity = {};  ///< none: elastic
+  bool neo_hookean = false;        ///< elastic, at large strain
   Law law(Plane plane) const;      ///< the law of this material in that plane
 };
 
@@ -87,11 +88,13 @@ struct Bar {
   int axis() const;
 };
 
-/// A force on a place, given as its total; each discretization shares it out (consistently over a face's area).
+/// A force on a place, given as its total; each discretization shares it out (consistently over a face's area). Or a pressure on
+/// one side, along the normal and over the area that the boundary has there at the start.
 struct Load {
   Place place;
   Point force{};  ///< N
   TimeHistory history;
+  double pressure = 0;  ///< Pa, inward; instead of the force
 };
 
 /// Motion of a body at the start, v(X) = s(X) (velocity + spin x (X - centre) + gradient (X - centre)). Several of one body add up.

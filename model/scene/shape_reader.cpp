@@ -4,6 +4,8 @@
 
 #include <stdexcept>
 
+#include "model/scene/structured_shapes.hpp"
+
 namespace femsph {
 namespace {
 
@@ -48,10 +50,56 @@ ShapePointer read_mesh(Fields& body, int dim, const std::filesystem::path& folde
   }
 }
 
+/// Keys of a circular section; `hollow` ones have two radii, in space they have an axis and a length.
+template <int round_dim, bool hollow>
+ShapePointer read_round(Fields& body, int dim, const std::filesystem::path&) {
+  using Part = Round::Part;
+  Round::Size size;
+  const auto centre = body.vector("centre", Need::required, dimension::length, dim);
+  const auto outer = body.quantity(hollow ? "outer" : "radius", Need::required, dimension::length, Sign::positive);
+  const auto inner = hollow ? body.quantity("inner", Need::required, dimension::length, Sign::positive) : std::optional<double>(0.0);
+  const auto part = body.choice<Part>("part", Need::optional, {{"whole", Part::whole}, {"half", Part::half}, {"quarter", Part::quarter}});
+  std::optional<double> length(0.0);
+  if (round_dim == 3) {
+    const auto axis = body.choice<int>("axis", Need::required, {{"x", 0}, {"y", 1}, {"z", 2}});
+    length = body.quantity("length", Need::required, dimension::length, Sign::positive);
+    if (!axis) return nullptr;
+    size.axis = *axis;
+  }
+  if (dim && dim != round_dim)
+    return body.fault("shape", round_dim == 2 ? "a ring in a three-dimensional scene; expected \"tube\"" : "a cylinder or tube in a plane scene; expected \"disc\" or \"ring\""), nullptr;
+  if (hollow && inner && outer && *inner >= *outer)
+    return body.fault("inner", fmt::format("\"inner\" is {:g} mm, not below \"outer\", {:g} mm; expected the smaller radius", *inner * 1e3, *outer * 1e3)), nullptr;
+  if (!centre || !outer || !inner || !length || !dim) return nullptr;
+  size.centre = *centre, size.outer = *outer, size.inner = *inner, size.length = *length, size.part = part.value_or(Part::whole);
+  return std::make_shared<Round>(dim, size);
+}
+
+ShapePointer read_quadrilateral(Fields& body, int dim, const std::filesystem::path&) {
+  std::array<Point, 4> corners;
+  bool all = true;
+  const char* keys[] = {"corner1", "corner2", "corner3", "corner4"};
+  for (std::size_t k = 0; k < 4; ++k) {
+    const auto corner = body.vector(keys[k], Need::required, dimension::length, dim);
+    corners[k] = corner.value_or(Point{});
+    all = all && corner;
+  }
+  if (dim == 3) return body.fault("shape", "a quadrilateral in a three-dimensional scene; expected a plane one, or a \"mesh\""), nullptr;
+  if (!all || !dim) return nullptr;
+  for (std::size_t k = 0; k < 4; ++k) {
+    const Point &a = corners[k], &b = corners[(k + 1) % 4], &c = corners[(k + 2) % 4];
+    if (!((b[0] - a[0]) * (c[1] - b[1]) - (b[1] - a[1]) * (c[0] - b[0]) > 0))
+      return body.fault(keys[(k + 1) % 4], fmt::format("the corners turn the wrong way at \"{}\"; expected a convex quadrilateral, counterclockwise from the lower left", keys[(k + 1) % 4])), nullptr;
+  }
+  return std::make_shared<Quadrilateral>(corners);
+}
+
 using Reader = ShapePointer (*)(Fields&, int, const std::filesystem::path&);
 
 /// Every shape a scene can name.
-const std::vector<std::pair<std::string, Reader>> shapes = {{"box", read_box}, {"disc", read_ball<2>}, {"sphere", read_ball<3>}, {"mesh", read_mesh}};
+const std::vector<std::pair<std::string, Reader>> shapes = {
+    {"box", read_box},           {"disc", read_ball<2>},           {"sphere", read_ball<3>},          {"mesh", read_mesh},
+    {"ring", read_round<2, true>}, {"cylinder", read_round<3, false>}, {"tube", read_round<3, true>}, {"quadrilateral", read_quadrilateral}};
 
 }  // namespace
 

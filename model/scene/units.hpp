@@ -23,6 +23,8 @@ inline constexpr Dimension acceleration{"m/s^2", "an acceleration", "9.81 m/s^2"
 inline constexpr Dimension mass{"kg", "a mass", "300 kg"};
 inline constexpr Dimension force{"N", "a force", "25 kN"};
 inline constexpr Dimension pressure{"Pa", "a pressure", "210 GPa"};
+inline constexpr Dimension temperature{"K", "a temperature", "298 K"};
+inline constexpr Dimension heat_capacity{"J/(kg K)", "a heat capacity", "477 J/(kg K)"};
 inline constexpr Dimension density{"kg/m^3", "a density", "7850 kg/m^3"};
 }  // namespace dimension
 

@@ -13,10 +13,13 @@ namespace {
 
 class Balance : public testing::TestWithParam<std::tuple<Element, int>> {
  protected:
-  std::unique_ptr<Discretization> make(bool large) const {
+  enum class Of { elastic, neo_hookean, plastic };
+  std::unique_ptr<Discretization> make(bool large, Of law = Of::elastic) const {
     const bool solid = std::get<1>(GetParam()) == 3;
     Scene scene = box_scene(solid ? Plane::none : Plane::strain, {1.2, 0.8, solid ? 0.9 : 0.0}, 2.0, 0.3, solid ? 1.0 : 0.7);
     scene.large_motion = large;
+    scene.materials.at("m").neo_hookean = law == Of::neo_hookean;
+    if (law == Of::plastic) scene.materials.at("m").plasticity = Plasticity{0.02, 0.05};
     fem::Options options;
     options.element = std::get<0>(GetParam());
     options.divisions = {4, 3, 2};
@@ -68,18 +71,44 @@ TEST_P(Balance, OnlyRigidMotionsAreFree) {
 
 TEST_P(Balance, LargeMotionForceIsMinusTheGradientOfTheEnergy) {
   // Central difference along a random direction: error O(step^2) + round-off / step, both below 1e-7 of the largest term.
-  const auto d = make(true);
-  const auto u = random_field(*d, 0.04, 1), direction = random_field(*d, 1.0, 2);
-  const double step = 1e-5;
-  std::vector<double> up = u, down = u;
-  for (std::size_t i = 0; i < u.size(); ++i) {
-    up[i] += step * direction[i];
-    down[i] -= step * direction[i];
+  for (const Of law : {Of::elastic, Of::neo_hookean}) {
+    const auto d = make(true, law);
+    const auto u = random_field(*d, 0.04, 1), direction = random_field(*d, 1.0, 2);
+    const double step = 1e-5;
+    std::vector<double> up = u, down = u;
+    for (std::size_t i = 0; i < u.size(); ++i) {
+      up[i] += step * direction[i];
+      down[i] -= step * direction[i];
+    }
+    const auto f = force(*d, u);
+    const double scale = std::sqrt(dot(f, f) * dot(direction, direction));
+    EXPECT_NEAR((energy(*d, up) - energy(*d, down)) / (2 * step), -dot(f, direction), 1e-7 * scale);
+    expect_momentum(*d, f, u);
   }
-  const auto f = force(*d, u);
-  const double scale = std::sqrt(dot(f, f) * dot(direction, direction));
-  EXPECT_NEAR((energy(*d, up) - energy(*d, down)) / (2 * step), -dot(f, direction), 1e-7 * scale);
+}
+
+// Plastic flow leaves a stress that is not coaxial with the stretch: the forces keep momentum and angular momentum all the same, and turn
+// with the body: a turn by 97 degrees leaves the co-rotated state what it was.
+TEST_P(Balance, PlasticForcesKeepMomentumAndTurn) {
+  const auto d = make(true, Of::plastic);
+  std::vector<double> u, f;
+  for (unsigned seed = 1; seed <= 3; ++seed) {
+    u = random_field(*d, 0.05, seed);
+    f = force(*d, u);
+  }
+  EXPECT_GT(d->dissipated_energy(u.data()), 0.2 * d->strain_energy(u.data()));
   expect_momentum(*d, f, u);
+  const double c = std::cos(1.7), s = std::sin(1.7);
+  std::vector<double> turned = u, expected = f;
+  for (std::size_t i = 0; i < d->layout().points; ++i) {
+    const std::size_t x = d->layout().at(i, 0), y = d->layout().at(i, 1);
+    const Point X = d->position(i);
+    const double now[2] = {X[0] + u[x], X[1] + u[y]};
+    turned[x] = c * now[0] - s * now[1] - X[0], turned[y] = s * now[0] + c * now[1] - X[1];
+    expected[x] = c * f[x] - s * f[y], expected[y] = s * f[x] + c * f[y];
+  }
+  const auto g = force(*d, turned);
+  for (std::size_t i = 0; i < f.size(); ++i) EXPECT_NEAR(g[i], expected[i], 1e-12 * largest(f));
 }
 
 TEST_P(Balance, ForcesTurnWithTheBody) {

@@ -6,6 +6,8 @@
 #include <numeric>
 
 #include "fem_support.hpp"
+#include "model/motion/march.hpp"
+#include "model/scene/structured_shapes.hpp"
 
 namespace femsph::test {
 namespace {
@@ -53,6 +55,24 @@ TEST(FemMass, VolumesOfMaterialPointsFillTheBody) {
       EXPECT_NEAR(volume, 1.2 * 0.8 * (dim == 3 ? 0.5 : 0.25), 1e-13);
       EXPECT_NEAR(moment / volume, 0.6, element == Element::full || element == Element::sri ? 1e-13 : 0.01);
     }
+}
+
+// Lame's thick ring under inner pressure, one quarter between symmetry planes: nodal forces of the pressure, p r h dtheta each, balance the
+// stress only if they are consistent: their resultant on a quarter is p r_i thickness along both axes, exactly (the projected length).
+TEST(FemPressure, ResultantOnAQuarterRing) {
+  Scene scene = scene_of(std::make_shared<Round>(2, Round::Size{{}, 0.1, 0.2, 0, 2, Round::Part::quarter}), Plane::strain, 210e9, 0.3, 0.5);
+  scene.loads.push_back({Place{0, {"inner"}, {}, {}}, {}, {}, 100e6});
+  scene.duration = 1;
+  fem::Options options;
+  options.divisions = {10, 10, 0};
+  std::vector<std::unique_ptr<Discretization>> bodies;
+  bodies.push_back(fem::discretize(scene, 0, options));
+  const March march(scene, std::move(bodies), {});
+  Point sum{};
+  const MovingBody& body = march.bodies()[0];
+  for (const auto& load : body.loads) sum[load.slot % 2] += load.force;
+  EXPECT_NEAR(sum[0], 100e6 * 0.1 * 0.5, 1e-6);
+  EXPECT_NEAR(sum[1], 100e6 * 0.1 * 0.5, 1e-6);
 }
 
 TEST(FemPlaces, AUniformTractionActsAtTheMiddleOfItsPlace) {

@@ -27,10 +27,11 @@ struct Incremental {
   FEMSPH_INLINE T stored_energy(const Symmetric<T, dim>& strain, const Symmetric<T, dim>& stress, const T*) const {
     return law.stored_energy<T, dim>(strain, stress, nullptr);
   }
-  double thickness_stress(const Symmetric<double, 2>& s, const double*) const { return law.thickness_stress(s, nullptr); }
+  double thickness_stress(const Symmetric<double, 2>& e, const Symmetric<double, 2>& s, const double*) const { return law.thickness_stress(e, s, nullptr); }
   double thickness_strain(const Symmetric<double, 2>& e, const Symmetric<double, 2>& s, const double*) const { return law.thickness_strain(e, s, nullptr); }
   static double plastic_strain(const double* history) { return history[0]; }
-  static double plastic_work(const double*) { return 0; }
+  template <class T>
+  FEMSPH_INLINE T plastic_work(const T*) const { return T{}; }
 };
 
 template <class ElementType, class T, int dim>

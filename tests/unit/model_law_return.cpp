@@ -1,9 +1,12 @@
 // Return mapping against closed forms, the flow rule solved again, and the three-dimensional law.
 
 #include "model_law_support.hpp"
+#include "model/material/return_mapping.hpp"
 
 namespace femsph::test {
 namespace {
+
+using plastic::PointStress, plastic::von_mises;
 
 constexpr double near = 1e-8;
 
@@ -69,6 +72,35 @@ TEST(Return, PlaneStressSolvesTheFlowRule) {
     EXPECT_NEAR(now.stress[1], 68.67947e6, 5);
     EXPECT_NEAR(now.equivalent, 318.23685e6, 5);
   }
+}
+
+// The projected return's steps end within 1e-13 of the root, whatever the lateral strain, the hardening, the direction and the size of the trial
+// stress. The root by bisection in long double: x of a / (1 + c x)^2 + b / (1 + x)^2 = (Y / (1 - k x))^2, k = H/3G, and then p = x q / 3G.
+TEST(Return, PlaneStressEndsAtTheRoot) {
+  for (const double nu : {-0.9, -0.5, 0.0, 0.3, 0.49})
+    for (const double k : {0.0, 0.003, 0.5, 3.0})
+      for (const double size : {1.0 + 1e-9, 1.001, 1.1, 3.0, 40.0, 1000.0})
+        for (int direction = 0; direction < 16; ++direction) {
+          const LinearElastic elastic = LinearElastic::make(young, nu, 7850, Plane::stress);
+          const double angle = 0.2 * direction, ratio = std::cos(angle), shear = 0.5 * std::sin(1.3 * direction);
+          PointStress<double, 2> trial{{std::sin(angle), ratio, shear}, 0.0};
+          const double scale = size * yield_stress / von_mises(trial);
+          for (double& x : trial.in.a) x *= scale;
+          const auto [sx, sy, sxy] = std::array<long double, 3>{trial.in[0], trial.in[1], trial.in[2]};
+          const long double c = (1 + (long double)(nu)) / (3 * (1 - (long double)(nu))), H = (long double)(k) * 3 * (long double)(elastic.mu);
+          const long double a = 0.25L * (sx + sy) * (sx + sy), b = 0.75L * (sy - sx) * (sy - sx) + 3 * sxy * sxy, kk = H / (3 * (long double)(elastic.mu));
+          const auto q = [&](long double x) { return std::sqrt(a / ((1 + c * x) * (1 + c * x)) + b / ((1 + x) * (1 + x))); };
+          long double low = 0, high = k > 0 ? std::min(1e6L, 1 / kk) : 1e6L;
+          for (int turn = 0; turn < 200; ++turn) {
+            const long double x = 0.5L * (low + high);
+            (q(x) * (1 - kk * x) > (long double)(yield_stress) ? low : high) = x;
+          }
+          const plastic::Flow<double> flow = plastic::projected_return(elastic, double(H), yield_stress, trial);
+          const double p = double(low * q(low)) / (3 * elastic.mu);
+          // q is known to round-off of Y, and p = (q - Y) (3 G + ..): near the surface the error is that of q_trial - Y.
+          EXPECT_NEAR(flow.equivalent, p, 1e-13 * p + 3e-15 * yield_stress / elastic.mu) << "nu " << nu << " k " << k << " size " << size << " direction " << direction;
+          EXPECT_NEAR(von_mises(trial), double(q(low)), 1e-13 * double(q(low)));
+        }
 }
 
 // Perfect plasticity, a strain path e perpendicular to s: with z = 2G|e|/R, R = sqrt(2/3) sigma_y, the angle psi between s and e obeys

@@ -29,7 +29,7 @@ RunRecord sample() {
   r.command = "femsph run 'a b.toml'\n--spacing=\"1 mm\"\x01\x7f";
   r.derived = {{"critical step", "1.25e-6 s"}, {"particles", "16441"}, {"a.b = \"c\"", "'''\"\"\"\xC3\xA9"}};
   r.ledger = {1.0 / 3.0, 2e-300, 3, -4, 5, 6, std::numeric_limits<double>::quiet_NaN()};
-  r.price = {1234567890123, 1e-7 / 3, 10, 11, 4, 1000, 5000000000, {{"setup", 0.1}, {"critical step", 2}}};
+  r.price = {1234567890123, 1e-7 / 3, 10, 11, 12, 4, 1000, 5000000000, {{"setup", 0.1}, {"critical step", 2}}};
   r.outcome = "step 12: the motion is not finite\nadvice: smaller step";
   r.finished_at = "2024-05-06T07:08:09Z";
   return r;
