@@ -171,7 +171,7 @@ class TotalLagrangian final : public ParticleBody {
     if constexpr (hourglass) l_.assign(padded * dim, 0.0);
     state_.assign(padded * n_state, 0.0);
     const LinearElastic elastic = law_.elastic();
-    kappa_ = options_.hourglass * (elastic.lambda + 2 * elastic.mu);
+    kappa_ = options_.hourglass * hourglass_modulus(elastic);
     Row row;
     for (std::size_t i = 0; i < n; ++i) {
       rows.row(i, row);
