@@ -77,9 +77,35 @@ Resolution resolution_of(const RunCommand& c) {
   return r;
 }
 
+CheckpointOptions checkpoint_of(const RunCommand& c) {
+  CheckpointOptions options{0, 0, c.arguments, c.from};
+  if (!c.checkpoint) return options;
+  try {
+    std::size_t end = 0;
+    options.every_steps = std::stol(*c.checkpoint, &end);
+    if (end == c.checkpoint->size() && options.every_steps > 0) return options;
+    options.every_steps = 0;
+  } catch (const std::exception&) {
+  }
+  try {
+    options.every_seconds = to_si(*c.checkpoint, dimension::time);
+  } catch (const std::exception&) {
+  }
+  if (!(options.every_seconds > 0))
+    throw std::runtime_error(fmt::format("--checkpoint {}: expected a number of steps, such as 1000, or a time on the clock, such as \"10 min\"", in_quotes(*c.checkpoint)));
+  return options;
+}
+
+/// The scene of a checkpoint: its own text; mesh files from where they were.
+Scene scene_again(const RunOrigin& origin) {
+  Scene scene = parse_scene(origin.scene_text, origin.scene_path);
+  scene.file = origin.scene_file;
+  return scene;
+}
+
 int run_command(const RunCommand& command) {
   set_threads(command.threads);
-  const Scene scene = read_scene(command.scene);
+  const Scene scene = command.from ? scene_again(command.from->origin()) : read_scene(command.scene);
   const Method method = method_of(command);
   const Resolution resolution = resolution_of(command);
   std::error_code failure;
@@ -90,6 +116,7 @@ int run_command(const RunCommand& command) {
   options.folder = command.out;
   options.fields = command.fields;
   options.command = command.command;
+  options.checkpoint = checkpoint_of(command);
   const RunResult r = run_scene(scene, method, resolution, options);
 
   fmt::print("{}\n", scene.title);

@@ -2,6 +2,7 @@
 // What the command line asks for, and the functions that do it.
 
 #include <array>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -25,6 +26,9 @@ struct RunCommand {
   std::string out;
   bool fields = true;
   std::string command;  ///< the command line, for the record
+  std::vector<std::string> arguments;      ///< the same, word by word, for a checkpoint
+  std::optional<std::string> checkpoint;   ///< "1000" steps, or "10 min" of the wall clock
+  std::shared_ptr<const Checkpoint> from;  ///< `femsph resume`: go on from here, in place of reading the scene file
 };
 
 /// Returns the exit code. Throws what run_scene throws.

@@ -3,10 +3,13 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
+#include <csignal>
 #include <cstdio>
 #include <thread>
 
 #include "compare/commands.hpp"
+#include "compare/interruption.hpp"
+#include "compare/run_output.hpp"
 #include "compare/study.hpp"
 #include "model/motion/march.hpp"
 #include "model/results/record.hpp"
@@ -17,8 +20,11 @@ namespace {
 using namespace femsph;
 using namespace femsph::compare;
 
-/// Exit codes: 0 done; 1 bad input; 2 bad command line; 3 a run that went wrong; 4 the machine (files, memory).
-enum Exit { done = 0, bad_input = 1, bad_command = 2, bad_run = 3, bad_machine = 4 };
+enum Exit { done = 0, bad_input = 1, bad_command = 2, bad_run = 3, bad_machine = 4, stopped = 5, interrupted = 6 };
+
+const char* const exit_codes =
+    "Exit codes: 0 done; 1 bad input (scene, study, checkpoint); 2 bad command line; 3 a run that cannot begin; 4 the machine (files, disk,\n"
+    "memory); 5 a watch stopped the run: the message says where and why; 6 interrupted (SIGINT, SIGTERM): `femsph resume` goes on.";
 
 void add_method_options(CLI::App* command, RunCommand& c) {
   command->add_option("scene", c.scene, "scene file (TOML)")->required();
@@ -34,10 +40,47 @@ void add_method_options(CLI::App* command, RunCommand& c) {
   command->add_option("--threads", c.threads, "threads of every loop")->capture_default_str();
 }
 
+void add_run_options(CLI::App* command, RunCommand& c) {
+  add_method_options(command, c);
+  command->add_option("--out", c.out, "folder for results")->required();
+  command->add_flag("!--no-fields", c.fields, "write no fields (histories and record only)");
+  command->add_option("--checkpoint", c.checkpoint,
+                      "write OUT/checkpoint.h5 every so many steps (1000) or so often on the clock (\"10 min\"), for `femsph resume OUT`;\n"
+                      "an interruption (SIGINT, SIGTERM) writes one in any case");
+  command->footer(exit_codes);
+}
+
+/// `femsph resume`: what it needs beside the folder stands in the checkpoint.
+struct ResumeCommand {
+  std::string folder;
+  std::optional<std::string> checkpoint;
+  std::optional<int> threads;
+  bool any_program = false;
+};
+
+int resume_command(const ResumeCommand& resume) {
+  RunCommand run;
+  run.from = std::make_shared<Checkpoint>(checkpoint_file(resume.folder), resume.any_program);
+  run.arguments = run.from->origin().arguments;
+  run.threads = resume.threads.value_or(int(std::max(1u, std::thread::hardware_concurrency())));
+  CLI::App app;
+  add_run_options(app.add_subcommand("run"), run);
+  std::vector<std::string> reversed(run.arguments.rbegin(), run.arguments.rend());
+  for (const std::string& word : run.arguments) run.command += (run.command.empty() ? "" : " ") + word;
+  if (!reversed.empty()) reversed.pop_back();  // the program
+  app.parse(reversed);
+  run.out = resume.folder;
+  if (resume.threads) run.threads = *resume.threads;
+  if (resume.checkpoint) run.checkpoint = resume.checkpoint;
+  fmt::print(stderr, "goes on from {}\n", run.from->origin().progress);
+  return run_command(run);
+}
+
 int run_program(int argc, char** argv) {
   CLI::App app("femsph compares SPH and explicit FEM for solid dynamics: one scene, two discretizations, one table.");
   app.set_version_flag("--version", [] { return version_text(); });
   app.require_subcommand(1);
+  app.footer(exit_codes);
   add_provenance("deal.II", fem::deal_ii_version());
   const int all = int(std::max(1u, std::thread::hardware_concurrency()));
 
@@ -53,9 +96,15 @@ int run_program(int argc, char** argv) {
   RunCommand run;
   run.threads = all;
   CLI::App* run_app = app.add_subcommand("run", "run one scene by one method; write fields, histories and the run record");
-  add_method_options(run_app, run);
-  run_app->add_option("--out", run.out, "folder for results")->required();
-  run_app->add_flag("!--no-fields", run.fields, "write no fields (histories and record only)");
+  add_run_options(run_app, run);
+
+  ResumeCommand resume;
+  CLI::App* resume_app = app.add_subcommand("resume", "go on with a run that was interrupted, from its last checkpoint; the results are those of an uninterrupted run");
+  resume_app->add_option("folder", resume.folder, "the run's folder (its --out)")->required();
+  resume_app->add_option("--checkpoint", resume.checkpoint, "as for `femsph run` (default: as that run)");
+  resume_app->add_option("--threads", resume.threads, "threads of every loop (default: as that run)");
+  resume_app->add_flag("--any-program", resume.any_program, "also from a checkpoint of another build of femsph; results may differ then");
+  resume_app->footer(exit_codes);
 
   RunCommand check;
   check.threads = all;
@@ -79,11 +128,13 @@ int run_program(int argc, char** argv) {
   } catch (const CLI::ParseError& error) {
     return app.exit(error) == 0 ? done : bad_command;
   }
+  run.arguments.assign(argv, argv + argc);
   for (int i = 0; i < argc; ++i) run.command += (i ? " " : "") + std::string(argv[i]);
   study.command = run.command;
   study.program = argv[0];
   if (*study_app) return study_command(study);
   if (*run_app) return run_command(run);
+  if (*resume_app) return resume_command(resume);
   if (*check_app) return check_command(check);
   if (*point_app) return point_command(point);
   if (*list_app) return list_command(argv[0]);
@@ -93,11 +144,18 @@ int run_program(int argc, char** argv) {
 }  // namespace
 
 int main(int argc, char** argv) {
+  std::signal(SIGXFSZ, SIG_IGN);  // a file over the limit is an error of writing, like a full disk
   try {
     return run_program(argc, argv);
   } catch (const femsph::InputError& error) {
     fmt::print(stderr, "{}\n", error.what());
     return bad_input;
+  } catch (const femsph::compare::Interrupted& leave) {
+    fmt::print(stderr, "femsph: {}\n", leave.what());
+    return interrupted;
+  } catch (const femsph::Stopped& error) {
+    fmt::print(stderr, "femsph: {}\n", error.what());
+    return stopped;
   } catch (const femsph::MotionError& error) {
     fmt::print(stderr, "femsph: {}\n", error.what());
     return bad_run;

@@ -4,12 +4,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <ctime>
 
+#include "compare/run_output.hpp"
 #include "model/motion/conservation.hpp"
-#include "model/motion/recorder.hpp"
-#include "model/results/fields.hpp"
-#include "model/results/record.hpp"
 
 namespace femsph::compare {
 
@@ -28,54 +25,6 @@ std::array<int, 3> divisions_of(const Shape& shape, const Resolution& resolution
 }
 
 double height_spacing(const Shape& shape, const std::array<int, 3>& cells) { return (shape.upper()[1] - shape.lower()[1]) / cells[1]; }
-
-std::string utc_now() {
-  const std::time_t now = std::time(nullptr);
-  char text[32];
-  std::strftime(text, sizeof text, "%Y-%m-%dT%H:%M:%SZ", std::gmtime(&now));
-  return text;
-}
-
-/// What a run leaves in its folder: fields as it goes, histories and the record at its end, however it ends.
-class Output {
- public:
-  Output(const Scene& scene, const Method& method, const RunOptions& options, const March& march) : options_(options), folder_(*options.folder) {
-    record_.scene_file = scene.file;
-    record_.scene_text = scene.text;
-    record_.method = method.name;
-    record_.command = options.command;
-    record_.derived = derived_values(march);
-    if (!options.fields) return;
-    fields_ = std::make_unique<FieldWriter>(folder_);
-    for (const MovingBody& body : march.bodies()) ids_.push_back(fields_->add_body(body.name, *body.discretization));
-  }
-  void snapshot(const March& march) {
-    if (!fields_) return;
-    for (std::size_t b = 0; b < ids_.size(); ++b)
-      fields_->snapshot(ids_[b], march.step(), march.time(), march.bodies()[b].u.data(), march.bodies()[b].v.data());
-    fields_->commit();
-  }
-  void finish(const March& march, const Recorder& recorder, const std::string& outcome, bool whole) {
-    write_csv(recorder.history(), folder_ + "/history.csv");
-    write_hdf5(recorder.history(), folder_ + "/history.h5");
-    if (whole) {
-      for (const auto& [name, profile] : recorder.profiles(march)) write_csv(profile, folder_ + "/section_" + name + ".csv");
-      record_.ledger = march.ledger();
-    }
-    record_.derived = derived_values(march);
-    record_.price = march.price();
-    record_.outcome = outcome;
-    record_.finished_at = utc_now();
-    write_record(record_, folder_);
-  }
-
- private:
-  const RunOptions& options_;
-  std::string folder_;
-  RunRecord record_;
-  std::unique_ptr<FieldWriter> fields_;
-  std::vector<std::size_t> ids_;
-};
 
 }  // namespace
 
@@ -165,8 +114,8 @@ RunResult run_scene(const Scene& scene, const Method& method, const Resolution& 
   March march(scene, std::move(bodies), options.march);
   march.price().add("setup", ready - start);
   Recorder recorder(march);
-  std::unique_ptr<Output> output;
-  if (options.folder) output = std::make_unique<Output>(scene, method, options, march);
+  std::unique_ptr<RunOutput> output;
+  if (options.folder) output = std::make_unique<RunOutput>(method, options, march, recorder);
   std::optional<Conservation> conservation;
   if (asks_for_drift(options.scalars)) conservation.emplace(march);
   Progress progress(options.label.empty() ? method.name : options.label);
@@ -176,18 +125,26 @@ RunResult run_scene(const Scene& scene, const Method& method, const Resolution& 
     recorder.sample(m);
     if (conservation) conservation->sample(m);
   };
-  if (output) events.snapshot = [&](const March& m) { output->snapshot(m); };
+  if (output) events.snapshot = [&](const March&) { output->snapshot(); };
+  if (output && options.checkpoint) events.between = [&](March&) { output->between(); };
   events.progress = [&](const March& m) { progress.show(m.step(), m.planned_steps(), m.time()); };
   try {
     march.run(events);
     march.price().total_cpu = cpu_seconds() - start_cpu;
   } catch (const MotionError& error) {
     march.price().total_cpu = cpu_seconds() - start_cpu;
-    if (output) output->finish(march, recorder, error.what(), false);
     if (options.partial) *options.partial = result_of(march, recorder, conservation);
+    const auto* stop = dynamic_cast<const Stopped*>(&error);
+    if (!output) throw;
+    const std::string said = error.what() + (stop ? output->save_last_good() : "");
+    output->finish(said, false);
+    if (stop) throw Stopped(stop->watch, said);
+    throw;
+  } catch (const std::exception& error) {
+    if (output) output->try_to_finish(error.what());
     throw;
   }
-  if (output) output->finish(march, recorder, march.settled() ? "settled" : "finished", true);
+  if (output) output->finish(march.settled() ? "settled" : "finished", true);
 
   RunResult r = result_of(march, recorder, conservation);
   r.profiles = recorder.profiles(march);

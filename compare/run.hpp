@@ -11,6 +11,7 @@
 
 #include "fem/fem.hpp"
 #include "model/motion/march.hpp"
+#include "model/results/checkpoint.hpp"
 #include "model/results/history.hpp"
 #include "sph/sph.hpp"
 
@@ -35,12 +36,21 @@ struct Resolution {
   std::array<int, 3> divisions{0, 0, 0};
 };
 
+/// When a run writes DIR/checkpoint.h5: always when it is interrupted, and every so often if asked.
+struct CheckpointOptions {
+  long every_steps = 0;      ///< 0: not by steps
+  double every_seconds = 0;  ///< of the wall clock; 0: not by time
+  std::vector<std::string> arguments;      ///< of the command line, for resume
+  std::shared_ptr<const Checkpoint> from;  ///< take this one up
+};
+
 struct RunResult;
 
 struct RunOptions {
   MarchOptions march;
   std::optional<std::string> folder;  ///< write histories, fields and the record there
   bool fields = true;                 ///< with a folder: fields too
+  std::optional<CheckpointOptions> checkpoint;  ///< with a folder
   std::string label;                  ///< of the progress line
   std::string command;                ///< for the record
   std::set<std::string> scalars = {}; ///< which of RunResult::scalars to fill: each costs a look at the run that others do not pay
@@ -65,7 +75,7 @@ struct RunResult {
 /// The scalars a run can give, with their SI units.
 const std::vector<std::pair<std::string, std::string>>& run_scalars();
 
-/// Throws InputError, MotionError or std::runtime_error.
+/// Throws InputError, MotionError, Interrupted (compare/interruption.hpp) or std::runtime_error.
 RunResult run_scene(const Scene& scene, const Method& method, const Resolution& resolution, const RunOptions& options);
 
 /// What a run derives from its scene, for people: particles or elements, step, memory, effects.

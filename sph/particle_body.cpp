@@ -105,6 +105,12 @@ std::vector<Facet> ParticleBody::boundary() const {
   const Lattice& lattice = particles_.lattice;
   const bool plane = particles_.dim == 2;
   Topology cells{plane ? Topology::Kind::quadrilaterals : Topology::Kind::hexahedra, {}};
+  for (const auto& own : particles_.cells) {
+    constexpr std::array<std::size_t, 8> vtk{0, 1, 3, 2, 4, 5, 7, 6};
+    std::array<std::size_t, 8> cell{};
+    for (std::size_t c = 0; c < (plane ? 4u : 8u); ++c) cell[c] = std::size_t(own[vtk[c]]);
+    cells.cells.push_back(cell);
+  }
   for (const auto& [i, j, k] : lattice.place) {
     std::array<std::size_t, 8> cell{};
     bool whole = true;
@@ -116,6 +122,18 @@ std::vector<Facet> ParticleBody::boundary() const {
     if (whole) cells.cells.push_back(cell);
   }
   return boundary_of(cells);
+}
+
+std::optional<Trouble> ParticleBody::inside_out(const AlignedVector<double>& det, const double* u) const {
+  std::size_t worst = 0;
+  for (std::size_t i = 1; i < particles_.size(); ++i)
+    if (!(det[i] >= det[worst])) worst = i;
+  if (det[worst] > 0) return std::nullopt;
+  Point x = particles_.position[worst];
+  for (int c = 0; c < particles_.dim; ++c) x[c] += u[layout_.at(worst, c)];
+  return Trouble{fmt::format("particle {} has turned inside out: its volume is {:.3g} times what it was", worst, det[worst]),
+                 "the body is crushed or torn there, more than the first neighbours can tell: try a finer spacing, a gentler load, or sph-classic-share, "
+                 "whose neighbours follow", x};
 }
 
 const double* ParticleBody::fill_mirrored(const double* u) const {

@@ -34,7 +34,8 @@ class ParticleBody : public Discretization {
   Point material_position(std::size_t point) const override { return particles_.position[point]; }
   double material_volume(std::size_t point) const override { return particles_.own_volume(point) * thickness_; }
   Topology topology() const override;
-  /// The sides of the lattice's cells between particles that belong to one cell: particles sit on the surface, and so do they.
+  /// The sides of the lattice's cells between particles that belong to one cell: particles sit on the surface, and so do they;
+  /// of a fitted body those of its own cells.
   std::vector<Facet> boundary() const override;
 
  protected:
@@ -42,6 +43,8 @@ class ParticleBody : public Discretization {
   const double* with_mirrored(const double* u) const {
     return particles_.mirrored.empty() ? u : fill_mirrored(u);
   }
+  /// What to say if a particle's det F is not positive.
+  std::optional<Trouble> inside_out(const AlignedVector<double>& det, const double* u) const;
   Options options_;
   Particles particles_;
   std::shared_ptr<const Shape> shape_;

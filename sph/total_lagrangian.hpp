@@ -108,6 +108,25 @@ class TotalLagrangian final : public ParticleBody {
     });
   }
 
+  /// det F <= 0 at a particle.
+  std::optional<Trouble> trouble(const double* given) const override {
+    const double* u = with_mirrored(given);
+    AlignedVector<double> det(stencils_.blocks() * lanes);
+    parallel_for(stencils_.blocks() * lanes, lanes, [&](std::size_t begin, std::size_t end) {
+      for (std::size_t block = begin / lanes; block < end / lanes; ++block) {
+        Tensor<Pack, dim> F;
+        Pack L[dim];
+        gradient<false>(block, u, F, L);
+        for (int a = 0; a < dim; ++a) F[a][a] += 1.0;
+        Pack d = F[0][0] * F[1][1] - F[0][1] * F[1][0];
+        if constexpr (dim == 3)
+          d = d * F[2][2] + (F[0][2] * F[1][0] - F[0][0] * F[1][2]) * F[2][1] + (F[0][1] * F[1][2] - F[0][2] * F[1][1]) * F[2][0];
+        store(&det[block * lanes], d);
+      }
+    });
+    return inside_out(det, u);
+  }
+
   void state(Archive& archive) override {
     if constexpr (n_state > 0) archive("material", state_);
     bars_.state(archive);

@@ -37,6 +37,7 @@ class ContactPair {
   /// part within `frequency2` (1/s^2), that of the body itself. Returns the largest step (s) that the rigid body allows.
   double add_springs(std::size_t index, const MovingBody& body, const std::vector<RigidBody>& rigids, double frequency2, AlignedVector<double>& springs) const;
 
+  void state(Archive& archive);
   const Contact& contact() const { return contact_; }
   double stiffness() const { return kappa_; }                ///< kappa, Pa/m
   double stored() const { return stored_; }                  ///< J, now

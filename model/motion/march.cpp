@@ -22,14 +22,14 @@ void March::run(const MarchEvents& events) {
   const auto every = [&](int count) { return count > 0 ? std::max(1L, planned / count) : planned + 1; };
   const long sample_every = every(scene_.samples), snapshot_every = every(scene_.snapshots);
   watch_every_ = std::clamp(planned / 300, 25L, 1000L);
-  const double cpu = cpu_seconds(), wall = wall_seconds();
+  const double cpu = cpu_seconds() - price_.cpu, wall = wall_seconds() - price_.wall;  // of a run taken up again: and what it has cost before
   while (true) {
     {
       forces();
       if (step_ == 0) start_velocities();
       else count_driven_work();
       if (kinetic_damping_) stop_at_kinetic_peak();
-      if (step_ % watch_every_ == 0) watch();
+      if (step_ % watch_every_ == 0 || step_ >= planned) watch(step_ >= planned);
     }
     const bool last = settled_ || step_ >= planned;
     price_.steps = step_;
@@ -47,6 +47,7 @@ void March::run(const MarchEvents& events) {
     if (last) break;
     kick_and_drift();
     ++step_;
+    if (events.between) events.between(*this);
   }
   price_.cpu = cpu_seconds() - cpu;
   price_.wall = wall_seconds() - wall;
@@ -66,7 +67,12 @@ void March::forces() {
   }
   for (ContactPair& contact : contacts_) {
     PhaseTimer timer(price_, "contact");
-    contact.add_forces(bodies_, rigid_, step_, dt_);
+    try {
+      contact.add_forces(bodies_, rigid_, step_, dt_);
+    } catch (const MotionError& error) {
+      if (step_ == 0) throw;
+      throw Stopped(Stopped::Watch::contact, error.what());
+    }
   }
   if (!ties_.empty()) {
     PhaseTimer timer(price_, "contact");
@@ -142,7 +148,7 @@ void advance(MovingBody& body, double dt, double rate, double& damping_loss, dou
 }  // namespace
 
 void March::kick_and_drift() {
-  const double now = time(), next = double(step_ + 1) * dt_;
+  const double now = time(), next = double(step_ + 1) * dt_, done = external_work_;
   for (MovingBody& body : bodies_) {
     const bool damped = damping_rate_ > 0, viscous = !body.viscous.empty();
     if (damped && viscous) advance<true, true>(body, dt_, damping_rate_, damping_loss_, viscous_loss_);
@@ -164,8 +170,9 @@ void March::kick_and_drift() {
         });
     }
   }
-  count_driven_work();
   move_rigid_bodies();
+  external_passed_ += std::abs(external_work_ - done);
+  count_driven_work();
 }
 
 void March::drive(MovingBody& body, double middle) {
@@ -179,9 +186,11 @@ void March::drive(MovingBody& body, double middle) {
 /// The reaction of a driven support is what balances every other force there (its points have no inertia in the ledger). Over a step its
 /// work is -1/2 dt v(n+1/2) (f(n) + f(n+1)): the first half is counted after the drift, the second with the next forces.
 void March::count_driven_work() {
+  const double done = external_work_;
   for (const MovingBody& body : bodies_)
     for (const MovingBody::Driven& d : body.driven)
       external_work_ -= 0.5 * dt_ * body.v[d.slot] * (body.f[d.slot] + (body.viscous.empty() ? 0.0 : body.viscous[d.slot]));
+  external_passed_ += std::abs(external_work_ - done);
 }
 
 // With v+ - v- = dt (f/m - c vbar) + dt g/m, the energy 1/2 v-.M v+ changes from step n to n + 1 by
@@ -259,34 +268,6 @@ void March::stop_at_kinetic_peak() {
   }
   damping_loss_ += before - kinetic().energy;
   half_step_kinetic_ = 0;
-}
-
-/// Settled: for half a period of the slowest motion the kinetic energy has stayed below tolerance^2 of the strain energy, that is,
-/// what still moves has an amplitude below `tolerance` of the displacement.
-void March::watch() {
-  const Ledger l = ledger();
-  if (!std::isfinite(l.stored())) fail("a displacement is not a finite number", "try a smaller --safety, or look for a load or material that is out of range");
-  const double supplied = std::abs(l.external) + l.initial;
-  if (step_ > 0 && l.stored() > 10 * supplied + 1e-12)
-    fail(fmt::format("the stored energy {:.3g} J exceeds ten times what loads and the start have supplied ({:.3g} J)", l.stored(), supplied),
-         "the march is unstable: try a smaller --safety");
-  if (!scene_.settling || step_ == 0) return;
-  double inertia = 0;
-  for (const MovingBody& body : bodies_)
-    inertia += parallel_sum(body.u.size(), [&](std::size_t begin, std::size_t end) {
-      double s = 0;
-      for (std::size_t i = begin; i < end; ++i) s += body.mass[i] * body.u[i] * body.u[i];
-      return s;
-    });
-  for (const RigidBody& body : rigid_)
-    for (int c = 0; c < 3; ++c) inertia += body.mass * body.moved[c] * body.moved[c];
-  if (inertia == 0) return;
-  const double omega = std::sqrt(2 * (l.strain + l.hourglass) / inertia);  // Rayleigh quotient of the motion itself
-  if (adaptive_damping_) damping_rate_ = 2 * omega;                        // critical for the slowest mode
-  const double tolerance = scene_.settling->tolerance;
-  if (std::abs(l.kinetic) > tolerance * tolerance * (l.strain + l.hourglass)) still_since_ = -1;
-  else if (still_since_ < 0) still_since_ = time();
-  else if (time() - still_since_ > std::acos(-1.0) / omega) settled_ = true;
 }
 
 }  // namespace femsph

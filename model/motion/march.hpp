@@ -61,12 +61,21 @@ struct MarchEvents {
   std::function<void(const March&)> sample;    ///< Scene::samples times over the duration, first and last step included
   std::function<void(const March&)> snapshot;  ///< Scene::snapshots times
   std::function<void(const March&)> progress;  ///< now and then
+  std::function<void(March&)> between;         ///< after every step, when March::state() is whole; may throw to leave the march
 };
 
 /// A run that went wrong: step, time, place, likely cause and advice, in one message.
 class MotionError : public std::runtime_error {
  public:
   using std::runtime_error::runtime_error;
+};
+
+/// A march that one of its watches stopped: it was sound when it began.
+class Stopped : public MotionError {
+ public:
+  enum class Watch { not_a_number, energy, step, unit, contact };
+  Stopped(Watch watch, const std::string& message) : MotionError(message), watch(watch) {}
+  Watch watch;
 };
 
 class March {
@@ -93,6 +102,13 @@ class March {
   double critical_step_without_contact() const { return critical_alone_; }
   long planned_steps() const;
   bool settled() const { return settled_; }
+  /// All that a run which is taken up again needs; to be saved between two steps (MarchEvents::between).
+  void state(Archive& archive);
+  /// Before run(): keep, in memory, the state of the last look that found everything sound. Large motion, plasticity and contact only: what
+  /// a small elastic motion does at a step within the limit stays bounded.
+  void keep_good_states();
+  /// Back to that state, for its fields; false if there is none. The march cannot go on from there.
+  bool return_to_good_state();
   /// Energies at the current whole step, J. Costs a pass over the model: for samples, not for every step.
   Ledger ledger() const;
   /// |sum of internal forces| / sum of |internal forces| at the current whole step, the larger of all bodies: round-off if
@@ -116,7 +132,12 @@ class March {
   void count_driven_work(); ///< half a step's work of the reactions there, at the forces of now
   void kick_and_drift();    ///< v += dt f/m, u += dt v, with whichever damping is on
   void move_rigid_bodies();
-  void watch();             ///< now and then: has it settled, is it still sound, how strong should the damping be
+  void watch(bool last);    ///< now and then: is it still sound, has it settled, how strong should the damping be
+  double allowance() const;
+  void look_at_energy(const Ledger& l);
+  void look_at_units();
+  void settle(const Ledger& l);
+  double frequency_of_motion();
   void stop_at_kinetic_peak();
   /// What the march's energies are made of at a whole step: 1/2 v- . M v+, and half a step's loss to damping and viscosity at v-.
   struct Kinetic {
@@ -127,7 +148,8 @@ class March {
   std::array<bool, 3> mirrored_axes(const MovingBody& body) const;
   template <class Take>
   void internal_forces(const MovingBody& body, Take&& take) const;
-  [[noreturn]] void fail(const std::string& what, const std::string& advice) const;
+  std::string fastest_point() const;
+  [[noreturn]] void fail(Stopped::Watch watch, const std::string& place, const std::string& what, const std::string& advice) const;
 
   const Scene& scene_;
   std::vector<MovingBody> bodies_;
@@ -138,11 +160,15 @@ class March {
   double damping_rate_ = 0;      ///< c, 1/s
   bool adaptive_damping_ = false, kinetic_damping_ = false, settled_ = false;
   long step_ = 0, watch_every_ = 1;
-  double external_work_ = 0, damping_loss_ = 0, viscous_loss_ = 0, initial_energy_ = 0;
+  double external_work_ = 0, external_passed_ = 0;  ///< the latter adds up the work of every step without its sign
+  double created_ = 0;   ///< by laws that create energy, which say so: negative plastic work
+  double damping_loss_ = 0, viscous_loss_ = 0, initial_energy_ = 0;
   double start_damping_ = 0, start_viscosity_ = 0;  ///< the half-step losses at the first step, which belong before it
   double half_step_kinetic_ = 0;  ///< of the last half step; kinetic damping only
   double still_since_ = -1;       ///< s; below 0: still moving
   Price price_;
+  bool keep_good_ = false;
+  MemoryArchive good_;
 };
 
 }  // namespace femsph

@@ -37,6 +37,9 @@ March::March(const Scene& scene, std::vector<std::unique_ptr<Discretization>> bo
   price_.dt = dt_;
   if (dt_ > critical_)
     throw MotionError(fmt::format("the step {:.4g} s is over the limit: the largest stable step is {:.4g} s; march with --safety 0.9 instead", dt_, critical_));
+  if (!(scene.duration / dt_ < 1e12))
+    throw MotionError(fmt::format("a duration of {:.4g} s takes {:.2g} steps of {:.4g} s, which no machine marches; shorten [time] duration, or take a coarser spacing",
+                                  scene.duration, scene.duration / dt_, dt_));
 }
 
 void March::place_supports_and_loads(MovingBody& body, std::size_t index) {
@@ -256,25 +259,6 @@ double March::moment_imbalance() const {
     if (all > 0) worst = std::max(worst, (std::abs(sum[0]) + std::abs(sum[1]) + std::abs(sum[2])) / all);
   }
   return worst;
-}
-
-void March::fail(const std::string& what, const std::string& advice) const {
-  // The point that moves fastest is the likeliest place.
-  std::string place = "unknown";
-  double fastest = -1;
-  for (const MovingBody& body : bodies_) {
-    const Layout& at = body.discretization->layout();
-    for (std::size_t i = 0; i < at.points; ++i) {
-      double speed = 0;
-      for (int c = 0; c < at.dim; ++c) speed += body.v[at.at(i, c)] * body.v[at.at(i, c)];
-      if (speed <= fastest) continue;
-      if (std::isfinite(speed)) fastest = speed;
-      const Point x = body.discretization->position(i);
-      place = fmt::format("body \"{}\", point {} at ({:.6g}, {:.6g}, {:.6g}) m", body.name, i, x[0], x[1], x[2]);
-      if (!std::isfinite(speed)) break;
-    }
-  }
-  throw MotionError(fmt::format("stopped at step {} (t = {:.6g} s), {}: {}; {}", step_, time(), place, what, advice));
 }
 
 }  // namespace femsph

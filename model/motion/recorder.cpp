@@ -132,6 +132,10 @@ void Recorder::sample(const March& march) {
     for (int c = 0; c < dim; ++c) put(force[c]);
 }
 
+void Recorder::state(Archive& archive) {
+  for (Column& column : history_.columns) archive(column.name, column.values);
+}
+
 std::map<std::string, Profile> Recorder::profiles(const March& march) const {
   std::map<std::string, Profile> out;
   for (const Line& line : lines_) {

@@ -22,6 +22,7 @@ class Recorder {
   /// One row of the history: time, every probe's components (NAME_x, ..), energies in J.
   void sample(const March& march);
   const History& history() const { return history_; }
+  void state(Archive& archive);  ///< the rows so far
   /// Every section of the scene as it is now, by name.
   std::map<std::string, Profile> profiles(const March& march) const;
 

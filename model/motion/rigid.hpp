@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "model/motion/archive.hpp"
 #include "model/scene/scene.hpp"
 
 namespace femsph {
@@ -54,6 +55,7 @@ struct RigidBody {
   void drift(double dt);
   /// From velocity and spin at the start to those half a step before (see March::start_velocities).
   void start_from(double keep, double push);
+  void state(Archive& archive);
   Point velocity_now(double dt) const;  ///< of the centre at the whole step
   /// m v-.v + omega-.L with v = before v- + after v+, and L likewise: twice a kinetic energy.
   double product(double keep, double push, double before, double after) const;

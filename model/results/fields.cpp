@@ -22,10 +22,11 @@ const std::string geometry_file = "fields/bodies.h5";
 /// Only names that FieldWriter gives; the description first, so that it never refers to what is gone.
 void remove_earlier_fields(const std::string& folder) {
   remove_file(folder + "/fields.xdmf");
+  remove_file(folder + "/last_good.xdmf");
   for (const auto& entry : std::filesystem::directory_iterator(folder + "/fields")) {
     const std::string stem = entry.path().stem();
     const bool number = stem.size() >= 6 && stem.find_first_not_of("0123456789") == std::string::npos;
-    if (entry.path().extension() == ".h5" && (number || stem == "bodies")) remove_file(entry.path());
+    if (entry.path().extension() == ".h5" && (number || stem == "bodies" || stem == "last_good")) remove_file(entry.path());
   }
 }
 
@@ -93,9 +94,11 @@ struct FieldWriter::Impl {
   MaterialState state;
   std::vector<std::size_t> all_points;
 
+  void write_geometry();
+  static std::string file_of(std::size_t frame) { return fmt::format("fields/{:06}.h5", frame); }
   void begin(long step, double time) {
     if (!data) {
-      frame = {fmt::format("fields/{:06}.h5", frames.size()), step, time, {}};
+      frame = {file_of(frames.size()), step, time, {}};
       data.emplace(folder + "/" + frame.file);
       data->attribute("/", "step", double(step));
       data->attribute("/", "time", time);
@@ -105,11 +108,11 @@ struct FieldWriter::Impl {
   }
 };
 
-FieldWriter::FieldWriter(const std::string& folder) : impl_(std::make_unique<Impl>()) {
+FieldWriter::FieldWriter(const std::string& folder, bool taken_up) : impl_(std::make_unique<Impl>()) {
   impl_->folder = folder;
   make_folder(folder);
   make_folder(folder + "/fields");
-  remove_earlier_fields(folder);
+  if (!taken_up) remove_earlier_fields(folder);
   impl_->geometry.emplace(folder + "/" + geometry_file);
 }
 
@@ -158,15 +161,45 @@ void FieldWriter::snapshot(std::size_t body, long step, double time, const doubl
   impl_->frame.bodies.push_back(body);
 }
 
+void FieldWriter::Impl::write_geometry() {
+  if (geometry) write_whole(geometry->bytes(), folder + "/" + geometry_file);
+  geometry.reset();
+}
+
 void FieldWriter::commit() {
   Impl& w = *impl_;
   if (!w.data) return;
-  if (w.geometry) write_whole(w.geometry->bytes(), w.folder + "/" + geometry_file);
-  w.geometry.reset();
+  w.write_geometry();
   write_whole(w.data->bytes(), w.folder + "/" + w.frame.file);
   w.data.reset();
   w.frames.push_back(w.frame);
   write_whole(xdmf::document(w.bodies, w.frames, geometry_file), w.folder + "/fields.xdmf");
+}
+
+void FieldWriter::commit_alone(const std::string& name, const std::string& label) {
+  Impl& w = *impl_;
+  if (!w.data) return;
+  w.write_geometry();
+  w.frame.file = "fields/" + name + ".h5";
+  w.data->attribute("/", "label", label);
+  write_whole(w.data->bytes(), w.folder + "/" + w.frame.file);
+  w.data.reset();
+  write_whole(xdmf::document(w.bodies, {w.frame}, geometry_file, label), w.folder + "/" + name + ".xdmf");
+}
+
+void FieldWriter::state(Archive& archive) {
+  Impl& w = *impl_;
+  std::size_t count = w.frames.size();
+  archive("frames", count);
+  w.frames.resize(count);
+  for (std::size_t k = 0; k < count; ++k)
+    archive.below(std::to_string(k), [&] {
+      archive("step", w.frames[k].step);
+      archive("time", w.frames[k].time);
+      archive("bodies", w.frames[k].bodies);
+      w.frames[k].file = w.file_of(k);
+    });
+  for (xdmf::Body& body : w.bodies) archive("plastic of " + body.name, body.plastic);
 }
 
 }  // namespace femsph

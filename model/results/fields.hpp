@@ -17,9 +17,9 @@ namespace femsph {
 /// file being appended to when its program is killed may not open again.)
 class FieldWriter {
  public:
-  /// Creates the folder and removes the fields of an earlier run from it.
+  /// Creates the folder and removes the fields of an earlier run from it, unless it is this run that is `taken_up` again.
   /// Throws std::runtime_error naming the file and the reason (folder not writable), as every call below does (disk full).
-  explicit FieldWriter(const std::string& folder);
+  explicit FieldWriter(const std::string& folder, bool taken_up = false);
   ~FieldWriter();
 
   /// Geometry of a body, which must outlive the writer; call once per body, before the first commit.
@@ -32,6 +32,10 @@ class FieldWriter {
   void snapshot(std::size_t body, long step, double time, const double* u, const double* v);
   /// Ends a snapshot of all bodies and puts it on disk. What was not committed is lost.
   void commit();
+  /// Ends a snapshot that stands alone: DIR/NAME.xdmf, with its data in DIR/fields/NAME.h5, and `label` in it.
+  void commit_alone(const std::string& name, const std::string& label);
+  /// Which snapshots are on disk. What was written after the state was saved is written again.
+  void state(Archive& archive);
 
  private:
   struct Impl;

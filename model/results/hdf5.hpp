@@ -10,6 +10,7 @@
 #include <span>
 #include <stdexcept>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -58,12 +59,19 @@ class Image {
   /// Values row by row; groups on the way to `path` are created. T is double or long long.
   template <class T>
   void dataset(const std::string& path, const std::vector<T>& values, std::vector<hsize_t> shape) {
+    dataset(path, memory_type<T>(), values.data(), std::move(shape));
+  }
+  void dataset(const std::string& path, hid_t type, const void* values, std::vector<hsize_t> shape) {
     const Handle space(check(H5Screate_simple(int(shape.size()), shape.data(), nullptr), path), H5Sclose);
     const Handle links(check(H5Pcreate(H5P_LINK_CREATE), path), H5Pclose);
     check(H5Pset_create_intermediate_group(links, 1), path);
-    const Handle set(check(H5Dcreate2(id_, path.c_str(), memory_type<T>(), space, links, H5P_DEFAULT, H5P_DEFAULT), path), H5Dclose);
-    check(H5Dwrite(set, memory_type<T>(), H5S_ALL, H5S_ALL, H5P_DEFAULT, values.data()), path);
+    const Handle creation(check(H5Pcreate(H5P_DATASET_CREATE), path), H5Pclose);
+    check(H5Pset_obj_track_times(creation, 0), path);  // equal results are equal files, whenever they were written
+    const Handle set(check(H5Dcreate2(id_, path.c_str(), type, space, links, creation, H5P_DEFAULT), path), H5Dclose);
+    if (values) check(H5Dwrite(set, type, H5S_ALL, H5S_ALL, H5P_DEFAULT, values), path);
   }
+  /// One text, byte for byte.
+  void text(const std::string& path, const std::string& text) { dataset(path, H5T_NATIVE_UCHAR, text.data(), {text.size()}); }
 
   /// Attributes of the dataset or group at `path`.
   void attribute(const std::string& path, const std::string& name, double value) { attribute(path, name, H5T_NATIVE_DOUBLE, &value); }
@@ -101,6 +109,49 @@ class Image {
   template <class Result>
   Result check(Result result, const std::string& path) const {
     if (result < 0) throw std::runtime_error(fmt::format("cannot write {} (HDF5, {}): {}", file_, path, reason()));
+    return result;
+  }
+
+  std::string file_;
+  Handle id_;
+};
+
+/// An HDF5 file that lies in memory as bytes, to read. Errors throw std::runtime_error naming the file that it came from.
+class Opened {
+ public:
+  Opened(std::string file, std::string_view bytes) : file_(std::move(file)), id_(open(bytes)) {}
+
+  /// Number of values of a dataset.
+  std::size_t length(const std::string& path) const {
+    const Handle set(check(H5Dopen2(id_, path.c_str(), H5P_DEFAULT), path), H5Dclose);
+    const Handle space(check(H5Dget_space(set), path), H5Sclose);
+    return std::size_t(check(H5Sget_simple_extent_npoints(space), path));
+  }
+  /// All of them; there must be `count`.
+  void read(const std::string& path, hid_t type, void* values, std::size_t count) const {
+    if (length(path) != count) throw std::runtime_error(fmt::format("cannot read {}: {} has another length", file_, path));
+    if (count == 0) return;
+    const Handle set(check(H5Dopen2(id_, path.c_str(), H5P_DEFAULT), path), H5Dclose);
+    check(H5Dread(set, type, H5S_ALL, H5S_ALL, H5P_DEFAULT, values), path);
+  }
+  std::string text(const std::string& path) const {
+    std::string text(length(path), '\0');
+    read(path, H5T_NATIVE_UCHAR, text.data(), text.size());
+    return text;
+  }
+
+ private:
+  Handle open(std::string_view bytes) const {
+    H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);
+    const Handle access(check(H5Pcreate(H5P_FILE_ACCESS), "/"), H5Pclose);
+    check(H5Pset_fapl_core(access, 1 << 20, 0), "/");
+    check(H5Pset_file_image(access, const_cast<char*>(bytes.data()), bytes.size()), "/");  // it takes a copy
+    const std::string name = file_ + " in memory";  // HDF5 insists that no file of that name exists
+    return {check(H5Fopen(name.c_str(), H5F_ACC_RDONLY, access), "/"), H5Fclose};
+  }
+  template <class Result>
+  Result check(Result result, const std::string& path) const {
+    if (result < 0) throw std::runtime_error(fmt::format("cannot read {} (HDF5, {}): {}", file_, path, reason()));
     return result;
   }
 

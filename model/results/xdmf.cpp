@@ -79,10 +79,11 @@ std::size_t Body::cell_points() const {
 
 std::string group(std::size_t body) { return fmt::format("/body{}", body); }
 
-std::string document(const std::vector<Body>& bodies, const std::vector<Frame>& frames, const std::string& geometry_file) {
+std::string document(const std::vector<Body>& bodies, const std::vector<Frame>& frames, const std::string& geometry_file,
+                     const std::string& label) {
   std::string out =
-      "<?xml version=\"1.0\" encoding=\"utf-8\"?>\n<Xdmf Version=\"3.0\">\n  <Domain>\n"
-      "    <Grid Name=\"fields\" GridType=\"Collection\" CollectionType=\"Temporal\">\n";
+      "<?xml version=\"1.0\" encoding=\"utf-8\"?>\n<Xdmf Version=\"3.0\">\n  <Domain>\n    <Grid Name=\"" + escape(label) +
+      "\" GridType=\"Collection\" CollectionType=\"Temporal\">\n";
   for (const Frame& frame : frames) {
     out += fmt::format("      <Grid Name=\"step {}\" GridType=\"Collection\" CollectionType=\"Spatial\">\n        <Time Value=\"{}\"/>\n",
                        frame.step, frame.time);

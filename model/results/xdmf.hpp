@@ -46,6 +46,7 @@ struct Frame {
 std::string group(std::size_t body);
 
 /// The whole document; geometry_file holds the groups' "points" and "cells", a frame's file their fields.
-std::string document(const std::vector<Body>& bodies, const std::vector<Frame>& frames, const std::string& geometry_file);
+std::string document(const std::vector<Body>& bodies, const std::vector<Frame>& frames, const std::string& geometry_file,
+                     const std::string& label = "fields");
 
 }  // namespace femsph::xdmf

@@ -1,0 +1,125 @@
+#include "compare/run_output.hpp"
+
+#include <fmt/format.h>
+
+#include <ctime>
+#include <filesystem>
+
+namespace femsph::compare {
+
+namespace {
+
+std::string utc_now() {
+  const std::time_t now = std::time(nullptr);
+  char text[32];
+  std::strftime(text, sizeof text, "%Y-%m-%dT%H:%M:%SZ", std::gmtime(&now));
+  return text;
+}
+
+}  // namespace
+
+std::string checkpoint_file(const std::string& folder) { return folder + "/checkpoint.h5"; }
+
+std::uint64_t checksum_of_meshes(const Scene& scene) {
+  std::uint64_t sum = 0;
+  const auto add = [&](const auto& values) { sum = checksum({reinterpret_cast<const char*>(values.data()), values.size() * sizeof values[0]}, sum); };
+  for (const Body& body : scene.bodies)
+    if (const CellMesh* mesh = body.shape->cells()) add(mesh->vertices), add(mesh->cells), add(mesh->facets);
+  return sum;
+}
+
+RunOutput::RunOutput(const Method& method, const RunOptions& options, March& march, Recorder& recorder)
+    : options_(options), march_(march), recorder_(recorder), folder_(*options.folder), saved_at_(wall_seconds()) {
+  const Scene& scene = march.scene();
+  record_.scene_file = scene.file;
+  record_.scene_text = scene.text;
+  record_.method = method.name;
+  record_.command = options.command;
+  const std::shared_ptr<const Checkpoint> from = options.checkpoint ? options.checkpoint->from : nullptr;
+  if (options.fields) {
+    fields_ = std::make_unique<FieldWriter>(folder_, from != nullptr);
+    for (const MovingBody& body : march.bodies()) ids_.push_back(fields_->add_body(body.name, *body.discretization));
+    march.keep_good_states();
+  }
+  if (!options.checkpoint) return;
+  origin_ = {scene.file, from ? from->origin().scene_path : std::filesystem::absolute(scene.file).string(), scene.text, options.checkpoint->arguments,
+             checksum_of_meshes(scene), {}};
+  if (!from) {
+    std::filesystem::remove(checkpoint_file(folder_));  // of an earlier run
+    return;
+  }
+  if (from->origin().meshes != origin_.meshes)
+    throw InputError(from->file(), {Fault{0, 0, "a mesh file of the scene has changed since the run began; put the old one back"}});
+  from->restore([&](Archive& archive) { state(archive); });
+  saved_progress_ = from->origin().progress;
+}
+
+void RunOutput::snapshot() {
+  if (!fields_) return;
+  for (std::size_t b = 0; b < ids_.size(); ++b)
+    fields_->snapshot(ids_[b], march_.step(), march_.time(), march_.bodies()[b].u.data(), march_.bodies()[b].v.data());
+  fields_->commit();
+}
+
+void RunOutput::state(Archive& archive) {
+  archive.below("march", [&] { march_.state(archive); });
+  archive.below("history", [&] { recorder_.state(archive); });
+  if (fields_) archive.below("fields", [&] { fields_->state(archive); });
+  archive.below("price", [&] {
+    archive("cpu", march_.price().cpu);
+    archive("wall", march_.price().wall);
+  });
+}
+
+void RunOutput::save() {
+  PhaseTimer timer(march_.price(), "checkpoints");
+  origin_.progress = fmt::format("step {} of {} (t = {:.6g} s)", march_.step(), march_.planned_steps(), march_.time());
+  try {
+    write_checkpoint(checkpoint_file(folder_), origin_, [&](Archive& archive) { state(archive); });
+  } catch (const std::runtime_error& error) {
+    if (saved_progress_.empty()) throw;
+    throw std::runtime_error(fmt::format("{}; the checkpoint of {} is whole: make room, then `femsph resume {}` goes on from there", error.what(), saved_progress_, folder_));
+  }
+  saved_at_ = wall_seconds();
+  saved_progress_ = origin_.progress;
+}
+
+void RunOutput::between() {
+  const CheckpointOptions& rule = *options_.checkpoint;
+  const bool leave = interruption_.asked();
+  if (!leave && !(rule.every_steps > 0 && march_.step() % rule.every_steps == 0) && !(rule.every_seconds > 0 && wall_seconds() - saved_at_ >= rule.every_seconds)) return;
+  save();
+  if (leave) throw Interrupted(fmt::format("interrupted at {}; `femsph resume {}` goes on from there", saved_progress_, folder_));
+}
+
+void RunOutput::finish(const std::string& outcome, bool whole) {
+  write_csv(recorder_.history(), folder_ + "/history.csv");
+  write_hdf5(recorder_.history(), folder_ + "/history.h5");
+  if (whole) {
+    for (const auto& [name, profile] : recorder_.profiles(march_)) write_csv(profile, folder_ + "/section_" + name + ".csv");
+    record_.ledger = march_.ledger();
+  }
+  record_.derived = derived_values(march_);
+  record_.price = march_.price();
+  record_.outcome = outcome;
+  record_.finished_at = utc_now();
+  write_record(record_, folder_);
+  if (whole && options_.checkpoint) std::filesystem::remove(checkpoint_file(folder_));
+}
+
+void RunOutput::try_to_finish(const std::string& outcome) noexcept {
+  try {
+    finish(outcome, false);
+  } catch (...) {
+  }
+}
+
+std::string RunOutput::save_last_good() {
+  if (!fields_ || !march_.return_to_good_state()) return {};
+  for (std::size_t b = 0; b < ids_.size(); ++b)
+    fields_->snapshot(ids_[b], march_.step(), march_.time(), march_.bodies()[b].u.data(), march_.bodies()[b].v.data());
+  fields_->commit_alone("last_good", fmt::format("last good state, step {}", march_.step()));
+  return fmt::format("; the last good state (step {}, t = {:.6g} s) is in {}/last_good.xdmf", march_.step(), march_.time(), folder_);
+}
+
+}  // namespace femsph::compare

@@ -1,0 +1,171 @@
+// What looks after a march: numbers, energy, units and the step; and settling.
+//
+// Every watch_every_ steps a glance, which reads velocities only; every tenth time, and at the end, a look at everything.
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include "model/motion/march.hpp"
+#include "model/numerics/parallel.hpp"
+
+namespace femsph {
+
+namespace {
+
+constexpr long glances_a_look = 10;
+
+/// Energy from nowhere that a look tolerates, as a share of all that has passed through. Belytschko, Liu and Moran (Nonlinear Finite Elements
+/// for Continua and Structures, 6.2.3) take a march for unstable beyond about 1 %; contact that chatters comes near that here.
+constexpr double tolerance = 0.05;
+
+/// 1/2 v . M v at the last half step, J.
+double half_step_kinetic(const MovingBody& body) {
+  return parallel_sum(body.v.size(), [&](std::size_t begin, std::size_t end) {
+    double s = 0;
+    for (std::size_t i = begin; i < end; ++i) {
+      const double w = body.inverse_mass[i];
+      s += w > 0 ? body.v[i] * body.v[i] / w : 0.0;
+    }
+    return 0.5 * s;
+  });
+}
+
+std::string in_metres(const Point& x) { return fmt::format("({:.6g}, {:.6g}, {:.6g}) m", x[0], x[1], x[2]); }
+
+}  // namespace
+
+void March::watch(bool last) {
+  PhaseTimer timer(price_, "watching");
+  if (!last && !scene_.settling && step_ % (glances_a_look * watch_every_) != 0) {
+    double moving = 0;
+    for (const MovingBody& body : bodies_) moving += half_step_kinetic(body);
+    if (!(moving <= allowance())) look_at_energy(ledger());
+    return;
+  }
+  const Ledger l = ledger();
+  look_at_energy(l);
+  if (last || step_ % (glances_a_look * watch_every_) == 0) {
+    look_at_units();
+    if (keep_good_) good_.save(*this);
+  }
+  if (scene_.settling && step_ > 0 && step_ % watch_every_ == 0) settle(l);
+}
+
+/// What a sound march can hold as kinetic energy at a half step, or as stored energy: in the leap-frog a mode of frequency omega and energy E
+/// reaches E / (1 - (omega dt / 2)^2) of either, and the sum of all E is what has been supplied.
+double March::allowance() const {
+  const double share = dt_ / critical_;
+  return (1 + tolerance) * (initial_energy_ + external_passed_ + created_) / std::max(0.05, 1 - share * share) + 1e-12;
+}
+
+void March::look_at_energy(const Ledger& l) {
+  if (!std::isfinite(l.stored()) || !std::isfinite(l.external))
+    fail(Stopped::Watch::not_a_number, fastest_point(), "a displacement is not a finite number",
+         "the march has become unstable, or a load or material is out of range: try a smaller --safety");
+  if (step_ == 0) return;
+  created_ = std::max(created_, -l.plastic);
+  const double supplied = initial_energy_ + external_passed_ + created_, from_nowhere = -l.imbalance();
+  const double held = l.strain + l.hourglass + l.contact, most = allowance();
+  double moving = 0;
+  for (const MovingBody& body : bodies_) moving += half_step_kinetic(body);
+  if (moving <= most && held <= most && from_nowhere <= tolerance * supplied + 1e-12) return;
+  const std::string place = fastest_point();
+  const std::string grown = from_nowhere > tolerance * supplied + 1e-12
+                                ? fmt::format("{:.3g} J of energy have come from nowhere, with {:.3g} J supplied by loads and the start", from_nowhere, supplied)
+                                : fmt::format("the energy has grown to {:.3g} J, with {:.3g} J supplied by loads and the start", std::max(moving, held), supplied);
+  const double omega = frequency_of_motion();
+  if (omega * dt_ > 1.95)
+    fail(Stopped::Watch::step, place, fmt::format("{}; what grows has a frequency of {:.4g} rad/s, which no step above {:.4g} s can follow, and the step is {:.4g} s", grown, omega, 2 / omega, dt_),
+         fmt::format("the deformed body is stiffer than at the start: try --safety {:.2g}", 0.8 * 2 / omega / critical_));
+  fail(Stopped::Watch::energy, place, grown, "the march or the discretization is unstable there: try a smaller --safety, a finer spacing or another method");
+}
+
+/// Of what moves most, from one more step: omega^2 = -du . df / (du . M du), a Rayleigh quotient of the tangent stiffness.
+double March::frequency_of_motion() {
+  double most = 0;
+  MemoryArchive here;
+  here.save(*this);
+  std::vector<AlignedVector<double>> before;
+  for (const MovingBody& body : bodies_) before.push_back(body.f);
+  try {
+    kick_and_drift();
+    ++step_;
+    forces();
+    for (std::size_t b = 0; b < bodies_.size(); ++b) {
+      const MovingBody& body = bodies_[b];
+      double work = 0, inertia = 0;
+      for (std::size_t i = 0; i < body.u.size(); ++i) {
+        if (body.inverse_mass[i] == 0) continue;
+        work -= body.v[i] * (body.f[i] - before[b][i]);
+        inertia += body.v[i] * body.v[i] / body.inverse_mass[i];
+      }
+      if (work > 0 && std::isfinite(work) && inertia > 0) most = std::max(most, std::sqrt(work / (dt_ * inertia)));
+    }
+  } catch (const MotionError&) {  // a contact that does not take that step: then the frequency stays unknown
+  }
+  here.restore(*this);
+  for (std::size_t b = 0; b < bodies_.size(); ++b) bodies_[b].f = before[b];
+  return most;
+}
+
+void March::look_at_units() {
+  if (!scene_.large_motion) return;
+  for (const MovingBody& body : bodies_)
+    if (const auto trouble = body.discretization->trouble(body.u.data()))
+      fail(Stopped::Watch::unit, fmt::format("body \"{}\", at {}", body.name, in_metres(trouble->position)), trouble->what, trouble->advice);
+}
+
+/// Settled: for half a period of the slowest motion the kinetic energy has stayed below tolerance^2 of the strain energy, that is,
+/// what still moves has an amplitude below `tolerance` of the displacement.
+void March::settle(const Ledger& l) {
+  double inertia = 0;
+  for (const MovingBody& body : bodies_)
+    inertia += parallel_sum(body.u.size(), [&](std::size_t begin, std::size_t end) {
+      double s = 0;
+      for (std::size_t i = begin; i < end; ++i) s += body.mass[i] * body.u[i] * body.u[i];
+      return s;
+    });
+  for (const RigidBody& body : rigid_)
+    for (int c = 0; c < 3; ++c) inertia += body.mass * body.moved[c] * body.moved[c];
+  if (inertia == 0) return;
+  const double omega = std::sqrt(2 * (l.strain + l.hourglass) / inertia);  // Rayleigh quotient of the motion itself
+  if (adaptive_damping_) damping_rate_ = 2 * omega;                        // critical for the slowest mode
+  const double tolerated = scene_.settling->tolerance;
+  if (std::abs(l.kinetic) > tolerated * tolerated * (l.strain + l.hourglass)) still_since_ = -1;
+  else if (still_since_ < 0) still_since_ = time();
+  else if (time() - still_since_ > std::acos(-1.0) / omega) settled_ = true;
+}
+
+void March::keep_good_states() { keep_good_ = scene_.large_motion || scene_.is_plastic() || !contacts_.empty(); }
+
+bool March::return_to_good_state() {
+  if (good_.empty()) return false;
+  good_.restore(*this);
+  return true;
+}
+
+/// The likeliest place of a trouble that shows in energies only; or the first point whose velocity is no number.
+std::string March::fastest_point() const {
+  std::string place = "unknown place";
+  double fastest = -1;
+  for (const MovingBody& body : bodies_) {
+    const Layout& at = body.discretization->layout();
+    for (std::size_t i = 0; i < at.points; ++i) {
+      double speed = 0;
+      for (int c = 0; c < at.dim; ++c) speed += body.v[at.at(i, c)] * body.v[at.at(i, c)] + 0 * body.f[at.at(i, c)];
+      if (speed <= fastest) continue;
+      fastest = speed;
+      const Point x = body.discretization->position(i);
+      place = fmt::format("body \"{}\", point {} at {}", body.name, i, in_metres(x));
+      if (!std::isfinite(speed)) return place;
+    }
+  }
+  return place;
+}
+
+void March::fail(Stopped::Watch watch, const std::string& place, const std::string& what, const std::string& advice) const {
+  throw Stopped(watch, fmt::format("stopped at step {} (t = {:.6g} s), {}: {}; {}", step_, time(), place, what, advice));
+}
+
+}  // namespace femsph
