@@ -21,6 +21,7 @@ density = "1100 kg/m^3"
 [bodies.plate]
 shape = "box"
 size = ["1 m", "0.5 m"]
+thickness = "1 m"
 material = "m"
 )" + rest, "drift.toml");
   RunOptions options;
