@@ -130,6 +130,10 @@ int run_command(const RunCommand& command) {
   const Price& p = r.price;
   fmt::print("  {:<24} {:.3g} s CPU, {:.3g} s wall, {} steps, {:.3g} ns a unit and step, {} thread{}, peak memory {:.3g} MB\n", "price", p.cpu, p.wall, p.steps,
              p.nanoseconds(), p.threads, p.threads == 1 ? "" : "s", double(peak_memory()) / 1e6);
+  double watching = 0;
+  for (const auto& [phase, seconds] : p.phases)
+    if (phase == "watching") watching = seconds;
+  fmt::print("  {:<24} {:.2g} % of the march's time\n", "watches", 100 * watching / std::max(p.wall, 1e-9));
   fmt::print("results in {}\n", command.out);
   return 0;
 }
