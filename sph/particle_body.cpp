@@ -105,6 +105,12 @@ std::vector<Facet> ParticleBody::boundary() const {
   const Lattice& lattice = particles_.lattice;
   const bool plane = particles_.dim == 2;
   Topology cells{plane ? Topology::Kind::quadrilaterals : Topology::Kind::hexahedra, {}};
+  for (const auto& own : particles_.cells) {
+    constexpr std::array<std::size_t, 8> vtk{0, 1, 3, 2, 4, 5, 7, 6};
+    std::array<std::size_t, 8> cell{};
+    for (std::size_t c = 0; c < (plane ? 4u : 8u); ++c) cell[c] = std::size_t(own[vtk[c]]);
+    cells.cells.push_back(cell);
+  }
   for (const auto& [i, j, k] : lattice.place) {
     std::array<std::size_t, 8> cell{};
     bool whole = true;

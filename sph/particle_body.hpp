@@ -34,7 +34,8 @@ class ParticleBody : public Discretization {
   Point material_position(std::size_t point) const override { return particles_.position[point]; }
   double material_volume(std::size_t point) const override { return particles_.own_volume(point) * thickness_; }
   Topology topology() const override;
-  /// The sides of the lattice's cells between particles that belong to one cell: particles sit on the surface, and so do they.
+  /// The sides of the lattice's cells between particles that belong to one cell: particles sit on the surface, and so do they;
+  /// of a fitted body those of its own cells.
   std::vector<Facet> boundary() const override;
 
  protected:

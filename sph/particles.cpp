@@ -129,15 +129,17 @@ void add_mirrored(Particles& p, const std::vector<MirrorPlane>& planes, double r
       image.sign[m.axis] *= -1;
       Point x = p.position[i];
       x[m.axis] = 2 * m.at - x[m.axis];
-      std::array<int, 3> place = lattice.place[i];
-      place[m.axis] = 2 * side - place[m.axis];
       p.mirrored.push_back(image);
       p.position.push_back(x);
       p.volume.push_back(p.volume[i]);
       p.part.push_back(0.0);
+      if (lattice.place.empty()) continue;  // fitted
+      std::array<int, 3> place = lattice.place[i];
+      place[m.axis] = 2 * side - place[m.axis];
       lattice.place.push_back(place);
     }
   }
+  if (lattice.place.empty()) return;
   // The lattice grows by the layers beyond the planes.
   std::array<int, 3> first{}, last{count[0] - 1, count[1] - 1, count[2] - 1};
   for (const auto& place : lattice.place)

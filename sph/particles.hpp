@@ -45,7 +45,8 @@ struct Particles {
   std::vector<double> part;         ///< of V_i that belongs to the body: 1/2 on a symmetry plane, 1/4 on two, else 1
   std::vector<Mirrored> mirrored;   ///< the last of `position`
   Lattice lattice;
-  bool regular = true;              ///< false once jittered: the lattice then only says which particles are where
+  std::vector<std::array<int, 8>> cells;  ///< of a fitted body in place of the lattice: the particles are their corners (lexicographic)
+  bool regular = true;              ///< false once jittered: the lattice then only says which particles are where; and when fitted
   std::size_t size() const { return position.size() - mirrored.size(); }  ///< of the body's own
   double own_volume(std::size_t i) const { return volume[i] * part[i]; }
 };
@@ -54,6 +55,12 @@ struct Particles {
 /// Throws std::runtime_error when the spacing does not fit the body.
 /// Volumes are those in the body with its mirror images: beyond a symmetry plane it goes on.
 Particles fill(const Shape& shape, const Options& options, const std::vector<MirrorPlane>& planes = {});
+
+/// The particles of a shape that cuts itself into cells (rings, cylinders, ..) are the corners of these: those on a side lie on it. Volumes are
+/// what the cells' shape functions integrate to (`trapezoid`), or as in fill().
+Particles fill_fitted(const Shape& shape, const Options& options, const std::vector<MirrorPlane>& planes = {});
+/// The shape cuts itself into cells, and the options do not ask for the lattice.
+bool is_fitted(const Shape& shape, const Options& options);
 
 /// Adds the mirror images of the particles within `radius` of each plane, corners of two planes included.
 /// Throws std::runtime_error if two opposite planes are nearer than that.

@@ -9,6 +9,7 @@
 
 #include <algorithm>
 
+#include "model/material/kinematics.hpp"
 #include "sph/discretize.hpp"
 #include "sph/moving_neighbours.hpp"
 #include "sph/particle_records.hpp"

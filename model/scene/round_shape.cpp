@@ -25,6 +25,8 @@ class Sheet {
       for (int i = 0; i < n; ++i) {
         std::array<int, 4> cell;
         for (int c = 0; c < 4; ++c) cell[c] = vertex(at(double(i + c % 2) / n, double(j + c / 2) / m));
+        const auto &a = vertices[cell[0]], &b = vertices[cell[1]], &c = vertices[cell[2]], &d = vertices[cell[3]];
+        if ((d[0] - a[0]) * (c[1] - b[1]) - (d[1] - a[1]) * (c[0] - b[0]) < 0) std::swap(cell[0], cell[1]), std::swap(cell[2], cell[3]);  // of a mirrored block
         cells.push_back(cell);
       }
   }

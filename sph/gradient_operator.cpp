@@ -1,0 +1,42 @@
+#include "sph/gradient_operator.hpp"
+
+#include <fmt/format.h>
+
+#include <stdexcept>
+
+namespace femsph::sph {
+
+std::unique_ptr<RowSource> rows_of(const Particles& particles, const Kernel& kernel, const Options& options) {
+  if (options.boundary == Boundary::virtual_particles) return virtual_rows(particles, kernel);
+  return particles.regular ? lattice_rows(particles, kernel) : search_rows(particles, kernel);
+}
+
+Tensor<double, 3> correction_of(const Particles& particles, std::size_t particle, const RowSource& rows, const Row& row, Boundary boundary) {
+  const int dim = particles.dim;
+  const Point& x = particles.position[particle];
+  double m[3][3] = {};
+  if (boundary == Boundary::weight) {
+    for (int a = 0; a < dim; ++a) m[a][a] = rows.kernel_sum(particle);
+  } else {
+    for (const Neighbour& j : row)
+      for (int a = 0; a < dim; ++a)
+        for (int c = 0; c < dim; ++c) m[a][c] += j.w[a] * (particles.position[std::size_t(j.index)][c] - x[c]);
+  }
+  if (dim == 2) m[2][2] = 1;
+  double cofactor[3][3];
+  for (int a = 0; a < 3; ++a)
+    for (int c = 0; c < 3; ++c) {
+      const int a1 = (a + 1) % 3, a2 = (a + 2) % 3, c1 = (c + 1) % 3, c2 = (c + 2) % 3;
+      cofactor[a][c] = m[a1][c1] * m[a2][c2] - m[a1][c2] * m[a2][c1];
+    }
+  const double det = m[0][0] * cofactor[0][0] + m[0][1] * cofactor[0][1] + m[0][2] * cofactor[0][2];
+  if (!(det > 1e-6))
+    throw std::runtime_error(fmt::format("particle {} at ({:g}, {:g}, {:g}) m has too few neighbours for a corrected gradient; take a finer spacing or a larger "
+                                         "smoothing length", particle, x[0], x[1], x[2]));
+  Tensor<double, 3> B;
+  for (int a = 0; a < 3; ++a)
+    for (int c = 0; c < 3; ++c) B[a][c] = cofactor[c][a] / det;
+  return B;
+}
+
+}  // namespace femsph::sph

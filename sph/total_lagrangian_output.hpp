@@ -1,0 +1,118 @@
+#pragma once
+// The rest of total_lagrangian.hpp: energies, bars, the states of material points, and where it ends.
+
+#include "model/material/spatial_state.hpp"
+#include "sph/total_lagrangian.hpp"
+
+namespace femsph::sph {
+
+template <int dim, class Stencils, class Kinematics, class LawType, Correction correction>
+double TotalLagrangian<dim, Stencils, Kinematics, LawType, correction>::strain_energy(const double* given) const {
+  const double* u = with_mirrored(given);
+  double in_bars = 0;
+  each_bar<Kinematics>(u, bars_.pieces, [&](const SmearedPiece& piece, double strain, const Pull&) {
+    in_bars += bars_.volume(piece) * bars_.rows[piece.row].law.stored(strain, piece.state);
+  });
+  return in_bars + sum_over_blocks([&](std::size_t block) {
+    Tensor<Pack, dim> H;
+    Pack L[dim];
+    gradient<false>(block, u, H, L);
+    Symmetric<Pack, dim> strain;
+    Kinematics::template strain<Pack, dim>(H, strain);
+    return operator_.volume(block) * law_.stored_energy(strain, stress_now(block, strain), history(block));
+  });
+}
+
+template <int dim, class Stencils, class Kinematics, class LawType, Correction correction>
+double TotalLagrangian<dim, Stencils, Kinematics, LawType, correction>::dissipated_energy(const double*) const {
+  const double in_bars = bars_.dissipated_energy();
+  if constexpr (n_state == 0) return in_bars;
+  else return in_bars + sum_over_blocks([&](std::size_t block) { return operator_.volume(block) * law_.plastic_work(history(block)); });
+}
+
+/// sum_i V_i kappa/2 sum_j scale_ij |H_i x_ij - u_ij|^2, with scale_ij x_ij = w_ij.
+template <int dim, class Stencils, class Kinematics, class LawType, Correction correction>
+double TotalLagrangian<dim, Stencils, Kinematics, LawType, correction>::hourglass_energy(const double* given) const {
+  if constexpr (!hourglass) return 0;
+  const double* u = with_mirrored(given);
+  return sum_over_blocks([&](std::size_t block) {
+    Tensor<Pack, dim> H;
+    Pack L[dim], sum{};
+    gradient<false>(block, u, H, L);
+    operator_.stencils().each(block, u + first(block), stride(), [&](const Pack(&difference)[dim], const Pack(&w)[dim], const Pack& scale) {
+      const Pack there = select(scale > 0.0, scale, broadcast<Pack>(1.0));
+      for (int r = 0; r < dim; ++r) {
+        Pack e = H[r][0] * w[0] - scale * difference[r];
+        for (int c = 1; c < dim; ++c) e += H[r][c] * w[c];
+        sum += e * e / there;
+      }
+    });
+    return 0.5 * kappa_ * operator_.volume(block) * sum;
+  });
+}
+
+template <int dim, class Stencils, class Kinematics, class LawType, Correction correction>
+std::vector<BarPiece> TotalLagrangian<dim, Stencils, Kinematics, LawType, correction>::bars(const double* u) const {
+  std::vector<BarPiece> out;
+  each_bar<Kinematics>(with_mirrored(u), bars_.pieces, [&](const SmearedPiece& piece, double strain, const Pull&) {
+    const BarRow& row = bars_.rows[piece.row];
+    out.push_back({row.bar, particles_.position[piece.particle], row.area, piece.length, strain, row.law.stress(strain, piece.state), piece.state.plastic_strain});
+  });
+  return out;
+}
+
+template <int dim, class Stencils, class Kinematics, class LawType, Correction correction>
+void TotalLagrangian<dim, Stencils, Kinematics, LawType, correction>::material_state(const double* given, std::span<const std::size_t> points, MaterialState& out) const {
+  const double* u = with_mirrored(given);
+  out.stress.resize(points.size());
+  out.strain.resize(points.size());
+  out.plastic.resize(n_state == 0 ? 0 : points.size());
+  Tensor<Pack, dim> H;
+  Symmetric<Pack, dim> strain, stress;
+  std::size_t known = std::size_t(-1);
+  for (std::size_t k = 0; k < points.size(); ++k) {
+    const std::size_t block = points[k] / lanes, lane = points[k] % lanes;
+    if (block != known) {
+      Pack L[dim];
+      gradient<false>(block, u, H, L);
+      Kinematics::template strain<Pack, dim>(H, strain);
+      stress = stress_now(block, strain);
+      known = block;
+    }
+    Tensor<double, dim> h;
+    Symmetric<double, dim> s, e;
+    for (int r = 0; r < dim; ++r)
+      for (int c = 0; c < dim; ++c) h[r][c] = H[r][c][lane];
+    for (int c = 0; c < n_symmetric; ++c) s[c] = stress[c][lane], e[c] = strain[c][lane];
+    if constexpr (n_state == 0) {
+      spatial_state<Kinematics>(law_, h, s, e, nullptr, out.stress[k], out.strain[k]);
+    } else {
+      double own[n_state - 2 * n_symmetric];
+      for (int c = 0; c < n_state - 2 * n_symmetric; ++c) own[c] = history(block)[c][lane];
+      spatial_state<Kinematics>(law_, h, s, e, own, out.stress[k], out.strain[k]);
+      out.plastic[k] = law_.plastic_strain(own);
+    }
+  }
+}
+
+/// det F <= 0 at a particle.
+template <int dim, class Stencils, class Kinematics, class LawType, Correction correction>
+std::optional<Trouble> TotalLagrangian<dim, Stencils, Kinematics, LawType, correction>::trouble(const double* given) const {
+  const double* u = with_mirrored(given);
+  AlignedVector<double> det(blocks() * lanes);
+  parallel_for(blocks() * lanes, lanes, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t block = begin / lanes; block < end / lanes; ++block) {
+      Tensor<Pack, dim> F;
+      Pack L[dim];
+      gradient<false>(block, u, F, L);
+      for (int a = 0; a < dim; ++a) F[a][a] += 1.0;
+      Pack d = F[0][0] * F[1][1] - F[0][1] * F[1][0];
+      if constexpr (dim == 3)
+        d = d * F[2][2] + (F[0][2] * F[1][0] - F[0][0] * F[1][2]) * F[2][1] + (F[0][1] * F[1][2] - F[0][2] * F[1][1]) * F[2][0];
+      store(&det[block * lanes], d);
+    }
+  });
+  return inside_out(det, u);
+}
+
+}  // namespace femsph::sph
