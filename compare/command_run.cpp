@@ -127,13 +127,7 @@ int run_command(const RunCommand& command) {
   const double scale = std::max(std::abs(r.ledger.external) + r.ledger.initial, 1e-300);
   fmt::print("  {:<24} {:.2e} of the energy supplied; linear momentum {:.1e}, angular {:.1e}\n", "imbalance", std::abs(r.ledger.imbalance()) / scale,
              r.momentum_error, r.moment_error);
-  const Price& p = r.price;
-  fmt::print("  {:<24} {:.3g} s CPU, {:.3g} s wall, {} steps, {:.3g} ns a unit and step, {} thread{}, peak memory {:.3g} MB\n", "price", p.cpu, p.wall, p.steps,
-             p.nanoseconds(), p.threads, p.threads == 1 ? "" : "s", double(peak_memory()) / 1e6);
-  double watching = 0;
-  for (const auto& [phase, seconds] : p.phases)
-    if (phase == "watching") watching = seconds;
-  fmt::print("  {:<24} {:.2g} % of the march's time\n", "watches", 100 * watching / std::max(p.wall, 1e-9));
+  fmt::print("{}", price_text(r.price, method.is_fem() ? "element" : "particle"));
   fmt::print("results in {}\n", command.out);
   return 0;
 }

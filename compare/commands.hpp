@@ -4,6 +4,7 @@
 #include <array>
 #include <memory>
 #include <optional>
+#include <stdexcept>
 #include <string>
 #include <vector>
 
@@ -43,6 +44,25 @@ struct PointCommand {
   std::string out;                 ///< empty: to the terminal
 };
 int point_command(const PointCommand& command);
+
+/// `femsph advise`: which method, how fine?
+struct AdviseCommand {
+  std::string scene;
+  std::string error, within;             ///< one of them: "1%" or "0.01"; "10 min"
+  std::string probe, component, reduce;  ///< empty: the first probe, its largest component, its end (settling) or peak
+  std::vector<std::string> methods;      ///< empty: the four elements, classic (share) and corrected SPH
+  std::string budget = "30 s";
+  double safety = 0.98;
+  bool run = false;                      ///< make the advised run too
+};
+/// Returns the exit code: 0, or 3 when there is no advice. Throws BadCommand.
+int advise_command(const AdviseCommand& command);
+
+/// A command line that cannot be followed, with one sentence.
+class BadCommand : public std::runtime_error {
+ public:
+  using std::runtime_error::runtime_error;
+};
 
 /// The method and resolution that a command line asks for. Throws std::runtime_error with "did you mean".
 Method method_of(const RunCommand& command);

@@ -23,7 +23,7 @@ using namespace femsph::compare;
 enum Exit { done = 0, bad_input = 1, bad_command = 2, bad_run = 3, bad_machine = 4, stopped = 5, interrupted = 6 };
 
 const char* const exit_codes =
-    "Exit codes: 0 done; 1 bad input (scene, study, checkpoint); 2 bad command line; 3 a run that cannot begin; 4 the machine (files, disk,\n"
+    "Exit codes: 0 done; 1 bad input (scene, study, checkpoint); 2 bad command line; 3 a run that cannot begin, or no advice; 4 the machine (files, disk,\n"
     "memory); 5 a watch stopped the run: the message says where and why; 6 interrupted (SIGINT, SIGTERM): `femsph resume` goes on.";
 
 void add_method_options(CLI::App* command, RunCommand& c) {
@@ -121,6 +121,19 @@ int run_program(int argc, char** argv) {
   point_app->add_option("--integration", point.integration, "return, no-return-1, no-return-3 or no-return-8 (default: the material's)");
   point_app->add_option("--out", point.out, "CSV to write (default: the terminal)");
 
+  AdviseCommand advise;
+  CLI::App* advise_app = app.add_subcommand("advise", "which method, how fine? a short ladder of the scene by each method, and what it says; times are CPU times of one thread");
+  advise_app->add_option("scene", advise.scene, "scene file (TOML)")->required();
+  advise_app->add_option("--error", advise.error, "the least time for this error: 1% or 0.01");
+  advise_app->add_option("--within", advise.within, "the least error in this time: \"10 min\"");
+  advise_app->add_option("--probe", advise.probe, "of which probe (default: the scene's first)");
+  advise_app->add_option("--component", advise.component, "of which component: x, y, xx, .. (default: the largest)");
+  advise_app->add_option("--reduce", advise.reduce, "final, peak or mean (default: final of a scene that settles, else peak)");
+  advise_app->add_option("--methods", advise.methods, "by which methods (default: the four elements, sph-classic-share, sph-corrected)")->delimiter(',');
+  advise_app->add_option("--budget", advise.budget, "CPU time for all ladders together")->capture_default_str();
+  advise_app->add_option("--safety", advise.safety, "step = safety x critical step")->capture_default_str();
+  advise_app->add_flag("--run", advise.run, "make the advised run too, and say how it went");
+
   CLI::App* list_app = app.add_subcommand("list", "list studies and methods");
 
   try {
@@ -137,6 +150,7 @@ int run_program(int argc, char** argv) {
   if (*resume_app) return resume_command(resume);
   if (*check_app) return check_command(check);
   if (*point_app) return point_command(point);
+  if (*advise_app) return advise_command(advise);
   if (*list_app) return list_command(argv[0]);
   return bad_command;
 }
@@ -150,6 +164,9 @@ int main(int argc, char** argv) {
   } catch (const femsph::InputError& error) {
     fmt::print(stderr, "{}\n", error.what());
     return bad_input;
+  } catch (const BadCommand& error) {
+    fmt::print(stderr, "femsph: {}\n", error.what());
+    return bad_command;
   } catch (const femsph::compare::Interrupted& leave) {
     fmt::print(stderr, "femsph: {}\n", leave.what());
     return interrupted;

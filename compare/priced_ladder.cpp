@@ -24,10 +24,9 @@ PricedLadder::PricedLadder(std::vector<PricedRung> rungs, int dim, double known_
   Ladder errors;
   for (const PricedRung& rung : rungs_) errors.push_back({rung.spacing, rung.error});
   if (const auto extrapolation = richardson(errors)) heading_ = extrapolation->limit;
-  const bool crosses = heading_ && !one_sign(*heading_, rungs_.back().error);
   credited_.resize(n);
   for (std::size_t i = n; i-- > 0;) {
-    credited_[i] = std::max(std::abs(rungs_[i].error), crosses ? std::abs(*heading_) : 0.0);
+    credited_[i] = std::max(std::abs(rungs_[i].error), std::abs(heading_.value_or(0)));
     if (i + 1 < n) credited_[i] = std::max(credited_[i], credited_[i + 1]);
     else if (n > 1 && !one_sign(rungs_[i].error, rungs_[i - 1].error)) credited_[i] = std::max(credited_[i], std::abs(rungs_[i - 1].error));
   }
@@ -101,10 +100,15 @@ std::optional<double> PricedLadder::order(std::string* why) const {
 }
 
 std::optional<double> PricedLadder::sound_order(std::string* why) const {
-  const auto p = order(why);
-  if (!p) return p;
-  if (heading_ && std::abs(*heading_) <= 0.5 * std::abs(rungs_.back().error)) return p;
-  if (why) *why = heading_ ? fmt::format("the finest three spacings head for an error of {:+.2g} %, not for zero", *heading_) : "the finest three spacings do not approach a limit";
+  std::string reason;
+  const auto p = order(&reason);
+  if (!p && !(heading_ && reason.starts_with("no one order"))) {
+    if (why) *why = reason;
+    return {};
+  }
+  if (p && heading_ && std::abs(*heading_) <= 0.5 * std::abs(rungs_.back().error)) return p;
+  const bool elsewhere = heading_ && std::abs(*heading_) > 0.5 * std::abs(rungs_.back().error);
+  if (why) *why = !p && !elsewhere ? reason : heading_ ? fmt::format("the finest three spacings head for an error of {:+.2g} %, not for zero", *heading_) : "the finest three spacings do not approach a limit";
   return {};
 }
 

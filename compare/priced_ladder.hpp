@@ -23,8 +23,8 @@ class PricedLadder {
 
   const std::vector<PricedRung>& rungs() const { return rungs_; }
   /// An error that passes through zero is small by luck. A rung is credited with the largest error of all rungs as fine or finer; a
-  /// finest rung whose sign is not that of the rung before it proves nothing, so that it counts with that one's error; and where the
-  /// finest three head for an error beyond zero, no rung is credited with less than that.
+  /// finest rung whose sign is not that of the rung before it proves nothing, so that it counts with that one's error; and no
+  /// rung is credited with less than the error that the finest three head for.
   const std::vector<double>& credited() const { return credited_; }
 
   /// Time of a run at a spacing. Between rungs: linear in log-log. Beyond the finest: steps as 1/spacing, units as spacing^-dim, and

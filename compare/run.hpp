@@ -81,6 +81,9 @@ RunResult run_scene(const Scene& scene, const Method& method, const Resolution& 
 /// What a run derives from its scene, for people: particles or elements, step, memory, effects.
 std::vector<std::pair<std::string, std::string>> derived_values(const March& march);
 
+/// What a run has cost, for people, in two lines: CPU and wall time, steps, time a step and unit ("particle"), memory; and its phases.
+std::string price_text(const Price& price, const std::string& unit);
+
 /// The discretization alone (for `check` and the bench).
 std::unique_ptr<Discretization> discretize(const Scene& scene, std::size_t body, const Method& method, const Resolution& resolution);
 

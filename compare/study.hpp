@@ -97,6 +97,14 @@ struct PriceSpec {
   std::string base;                             ///< the method that others must be finer than; empty: none
 };
 
+/// A question to `advise`, whose advice is followed and measured.
+struct AdviceSpec {
+  std::string scene, quantity;
+  std::optional<double> error, within;  ///< percent; s
+  double budget = 30;                   ///< s
+  std::vector<Method> methods;          ///< empty: those of `femsph advise`
+};
+
 struct Study {
   std::string name, title, folder, file;
   std::map<std::string, Scene> scenes;  ///< by their file's name
@@ -108,6 +116,7 @@ struct Study {
   std::map<std::string, LimitSpec> limits;   ///< by scene
   int repeat = 1;                            ///< how often every run is made, to know the spread of its time
   std::vector<PriceSpec> prices;
+  std::vector<AdviceSpec> advice;
   std::vector<Study> collected;  ///< run too; their rows are this study's
   std::vector<Claim> claims;
   std::vector<Bound> bounds;              ///< some: the study's table is one of verdicts

@@ -11,6 +11,7 @@
 #include "compare/price_tables.hpp"
 #include "compare/readme.hpp"
 #include "compare/series.hpp"
+#include "compare/study_advice.hpp"
 #include "compare/theory.hpp"
 #include "model/numerics/parallel.hpp"
 #include "model/scene/toml_fields.hpp"
@@ -162,6 +163,12 @@ int run_one(const Study& study, const StudyCommand& command, const Engine& engin
   write_tables(study, own, top);
   failures += write_series(study, outcome, top);
   std::string table = write_prices(study, own, top, table_for_people(study, own));
+  if (!study.advice.empty() && !command.quick) {
+    const auto followed = follow_advice(study, own, engine, print);
+    failures += int(std::count_if(followed.begin(), followed.end(), [](const FollowedAdvice& one) { return !one.outcome; }));
+    write_text(csv(followed), (top / "advice.csv").string());
+    table += markdown(followed);
+  }
   failures += write_claims(study, own, command.quick, top, table);
   failures += write_figures(study, top);
   if (command.update_readme) update_readme(study, table);
@@ -194,7 +201,10 @@ int study_command(const StudyCommand& command, const Engine& engine) {
     throw std::runtime_error("--update-readme with --quick; expected the full study, whose numbers a README states");
   set_threads(command.threads);
   std::vector<Row> rows;
-  return run_one(study, command, engine, rows) == 0 ? 0 : 3;
+  const double cpu = cpu_seconds(), wall = wall_seconds();
+  const int failures = run_one(study, command, engine, rows);
+  print(fmt::format("price: {:.3g} s CPU, {:.3g} s wall, peak memory {:.3g} MB", cpu_seconds() - cpu, wall_seconds() - wall, double(peak_memory()) / 1e6));
+  return failures == 0 ? 0 : 3;
 }
 
 int list_command(const std::string& program) {

@@ -56,7 +56,33 @@ void one_price(Fields& fields, StudyReading& reading) {
   reading.study.prices.push_back(price);
 }
 
+void one_advice(Fields& fields, StudyReading& reading) {
+  const Study& study = reading.study;
+  AdviceSpec advice;
+  advice.quantity = fields.text("quantity", Need::required, one_of(quantity_names(study))).value_or("");
+  advice.error = fields.number("error", Need::optional, "percent above 0");
+  advice.within = fields.quantity("within", Need::optional, dimension::time, Sign::positive);
+  advice.budget = fields.quantity("budget", Need::optional, dimension::time, Sign::positive).value_or(advice.budget);
+  advice.methods = read_methods(fields, Need::optional);
+  fields.done();
+  if (fields.has("error") == fields.has("within")) fields.fault("error", "expected either \"error\", in percent, or \"within\", a time, in " + fields.name());
+  if (advice.error && *advice.error <= 0) fields.fault("error", "\"error\" is not above 0; expected percent");
+  const auto quantity = std::find_if(study.quantities.begin(), study.quantities.end(), [&](const QuantitySpec& q) { return q.name == advice.quantity; });
+  const auto known = quantity_names(study);
+  if (quantity == study.quantities.end())
+    fields.fault("quantity", fmt::format("unknown quantity {}; expected {}{}", in_quotes(advice.quantity), one_of(known), did_you_mean(advice.quantity, known)));
+  else if (quantity->reduce == Reduce::l2 || (!quantity->scene && study.scenes.size() > 1))
+    fields.fault("quantity", fmt::format("{} has no limit of one scene; expected a quantity that names its scene, other than l2", in_quotes(advice.quantity)));
+  else
+    advice.scene = quantity->scene.value_or(study.scenes.begin()->first);
+  reading.study.advice.push_back(advice);
+}
+
 }  // namespace
+
+void read_advice(Fields& root, StudyReading& reading) {
+  for (Fields& fields : root.tables("advice")) one_advice(fields, reading);
+}
 
 void read_prices(Fields& root, StudyReading& reading) {
   for (Fields& fields : root.tables("price")) one_price(fields, reading);

@@ -49,6 +49,7 @@ Study parse(const std::string& text, const std::string& file, bool may_collect) 
   read_limit(root, reading);
   read_quantities(root, reading);
   read_prices(root, reading);
+  read_advice(root, reading);
   read_series(root, reading);
   read_paper(root, reading);
   read_claims(root, reading);

@@ -26,6 +26,8 @@ void read_claims(Fields& root, StudyReading& reading);
 void read_bounds(Fields& root, StudyReading& reading);  // study_bounds.cpp: [[bounds]] and [[expectations]]
 
 void read_prices(Fields& root, StudyReading& reading);  // study_prices.cpp
+void read_advice(Fields& root, StudyReading& reading);
+std::vector<Method> read_methods(Fields& fields, Need need);  // study_runs.cpp
 
 /// "20x2" or "20x2x1". Nothing if it is neither.
 std::optional<std::array<int, 3>> parse_divisions(const std::string& text);

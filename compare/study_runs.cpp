@@ -10,13 +10,10 @@
 #include "model/scene/units.hpp"
 
 namespace femsph::compare {
-namespace {
 
-const std::string divisions_expected = "a list of cells along the axes, such as [\"20x2\", \"40x4\"]";
-
-std::vector<Method> read_methods(Fields& fields) {
+std::vector<Method> read_methods(Fields& fields, Need need) {
   std::vector<Method> found;
-  const auto names = fields.texts("methods", Need::required, "a list of methods, such as [\"fem-full\"]");
+  const auto names = fields.texts("methods", need, "a list of methods, such as [\"fem-full\"]");
   if (names && names->empty()) fields.fault("methods", "\"methods\" is empty; expected a list of methods, such as [\"fem-full\"]");
   for (const std::string& name : names.value_or(std::vector<std::string>{})) {
     try {
@@ -27,6 +24,10 @@ std::vector<Method> read_methods(Fields& fields) {
   }
   return found;
 }
+
+namespace {
+
+const std::string divisions_expected = "a list of cells along the axes, such as [\"20x2\", \"40x4\"]";
 
 std::vector<Resolution> read_resolutions(Fields& fields, int dim) {
   std::vector<Resolution> all;
@@ -83,7 +84,7 @@ std::string support_label(const std::optional<double>& support) {
 void one_block(Fields& fields, StudyReading& reading, int ladder) {
   const std::string file = fields.text("scene", Need::optional, "the file of a scene").value_or(reading.default_scene);
   const Scene* scene = scene_of(fields, "scene", file, reading);
-  std::vector<Method> chosen = read_methods(fields);
+  std::vector<Method> chosen = read_methods(fields, Need::required);
   const auto resolutions = read_resolutions(fields, scene ? scene->dim() : 2);
   const auto cases = read_cases(fields, resolutions);
   const auto quick = read_names(fields, "quick", cases, "case");

@@ -78,6 +78,16 @@ TEST(Program, ARunLeavesHistoriesFieldsAndItsRecord) {
   }
 }
 
+TEST(Program, AdviceIsAskedForWithOneOfTwoOptions) {
+  EXPECT_EQ(femsph("advise " + scene).code, 2);
+  EXPECT_THAT(femsph("advise " + scene).text, HasSubstr("either --error 1% or --within"));
+  EXPECT_EQ(femsph("advise " + scene + " --error 1 --within '1 s'").code, 2);
+  EXPECT_EQ(femsph("advise no-such-scene.toml --error 1%").code, 1);
+  const Outcome none = femsph("advise " + scene + " --error 1% --methods fem-full --budget '0.2 s'");
+  EXPECT_EQ(none.code, 3);  // one method alone cannot be confirmed
+  EXPECT_THAT(none.text, HasSubstr("no two methods"));
+}
+
 TEST(Program, AnUnwritableFolderIsOneMessage) {
   const Outcome o = femsph("run " + scene + " --solver fem --spacing '20 mm' --out " + scene + "/inside");
   EXPECT_EQ(o.code, 4);

@@ -1,0 +1,78 @@
+// What `advise` prints.
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include "compare/advise.hpp"
+
+namespace femsph::compare {
+namespace {
+
+std::string millimetres(double metres) { return rounded(1e3 * metres, 3); }
+
+std::string seconds(double s) {
+  if (s < 120) return rounded(s, 2) + " s";
+  if (s < 7200) return fmt::format("{:.0f} min", s / 60);
+  return fmt::format("{:.1f} h", s / 3600);
+}
+
+std::string line(const std::string& key, const std::string& value) { return fmt::format("  {:<24} {}\n", key, value); }
+
+std::string ladders(const Question& question, const Advice& advice) {
+  std::vector<std::vector<std::string>> cells{{"method", "d mm", "value " + question.quantity.observed.unit.name, "error %", "CPU s"}};
+  for (const MethodEvidence& m : advice.methods)
+    for (std::size_t i = 0; i < m.rungs.size(); ++i)
+      cells.push_back({i == 0 ? m.method.name : "", millimetres(m.rungs[i].spacing), rounded(m.values[i], 5), advice.reference ? fmt::format("{:+.2f}", m.rungs[i].error) : "",
+                       rounded(m.rungs[i].cpu, 2)});
+  return markdown_table(cells);
+}
+
+std::string limits(const Question& question, const Advice& advice) {
+  std::vector<std::vector<std::string>> cells{{"method", "limit", "known to %", "its order", "meets", question.error ? "needs" : "reaches"}};
+  for (std::size_t k = 0; k < advice.methods.size(); ++k) {
+    const MethodEvidence& m = advice.methods[k];
+    std::string can = m.trouble;
+    if (k < advice.choices.size()) {
+      const auto& c = advice.choices[k];
+      can = c ? fmt::format("{} mm, {}, error {} %{}", millimetres(c->spacing), seconds(c->cpu), rounded(c->error, 2), c->extrapolated ? ", extrapolated" : "") : advice.why_not[k];
+    }
+    cells.push_back({m.method.name, m.limit ? rounded(*m.limit, 5) : "none in sight", m.limit ? rounded(m.known_percent, 2) : "", m.order ? fmt::format("{:.2f}", *m.order) : "",
+                     !advice.reference ? "" : k == *advice.reference ? "reference" : m.meets ? "yes" : "no", can});
+  }
+  return markdown_table(cells);
+}
+
+}  // namespace
+
+std::string describe(const Scene& scene, const Question& question, const Advice& advice) {
+  std::string text = scene.title + "\n";
+  const auto& q = question.quantity;
+  text += line("asked", q.name + (question.error ? fmt::format(", error at most {:g} %", *question.error) : fmt::format(", least error within {} of CPU", seconds(*question.within))));
+  text += line("ladders", fmt::format("{} methods, spacings as parts of the shortest side, {} mm; {} of CPU on one thread", advice.methods.size(), millimetres(advice.shortest), seconds(advice.spent)));
+  text += "\n" + ladders(question, advice) + "\n" + limits(question, advice) + "\n";
+  if (advice.reference) {
+    const MethodEvidence& reference = advice.methods[*advice.reference];
+    text += line("reference", fmt::format("{} {}, Richardson's limit of {}, known to {} %", rounded(*reference.limit, 5), q.observed.unit.name, reference.method.name,
+                                          rounded(reference.known_percent, 2)));
+    text += line("evidence", fmt::format("{} of {} methods approach it within {:g} %, {}", advice.meeting, advice.methods.size(), advice.tolerance_percent,
+                                         advice.both_kinds        ? "FEM and SPH among them: confidence good"
+                                         : advice.meeting >= 3    ? "all of one kind: confidence fair"
+                                         : advice.meeting >= 2    ? "all of one kind: confidence low"
+                                                                  : "confidence none"));
+  }
+  if (!advice.best) return text + line("advice", "none: " + advice.refusal);
+  const Choice& best = *advice.best;
+  text += line("advice", fmt::format("--solver {} --spacing \"{:.6g} mm\" --safety {:g}", advice.methods[best.method].method.name, 1e3 * best.spacing, question.safety));
+  text += line("predicted", fmt::format("{} of CPU, error {} %{}", seconds(best.cpu), rounded(best.error, 2), best.extrapolated ? " (extrapolated)" : " (between runs made)"));
+  return text;
+}
+
+std::string describe(const Advice& advice, const Question& question, const Outcome& outcome) {
+  const char* verdict = !question.error ? "" : std::abs(outcome.error) <= *question.error ? ": as asked" : ": more than asked";
+  return line("made", fmt::format("{} of CPU, {:.2f} times the predicted; {} {}, error {:+.2g} %{}", seconds(outcome.cpu), outcome.cpu / advice.best->cpu, rounded(outcome.value, 5),
+                                  question.quantity.observed.unit.name, outcome.error, verdict)) +
+         price_text(outcome.price, advice.methods[advice.best->method].method.is_fem() ? "element" : "particle");
+}
+
+}  // namespace femsph::compare
