@@ -113,8 +113,8 @@ struct SriElement {
 };
 
 /// Mean gradient and stiffness hourglass control (Flanagan and Belytschko 1981): per mode and component the energy
-///   1/2 k 2^dim q^2,  q = gamma . u,  k = coefficient (lambda + 2 mu) V sum_aI (dN_I/dx_a)^2,
-/// (lambda + 2 mu) V sum (dN/dx)^2 being their bound on the stiffness of the mean strain itself. Total form on the undeformed cell:
+///   1/2 k 2^dim q^2,  q = gamma . u,  k = coefficient M V sum_aI (dN_I/dx_a)^2,
+/// (lambda + 2 mu) V sum (dN/dx)^2 being their bound on the stiffness of the mean strain itself; M: see hourglass_modulus. Total form on the undeformed cell:
 /// q vanishes for any linear motion, rigid rotations included, so the control is objective without rotating anything.
 struct OnePointElement {
   template <int dim>
@@ -137,7 +137,7 @@ struct OnePointElement {
     for (int i = 0; i < dim; ++i)
       for (int j = 0; j < dim; ++j) P[i][j] *= cell.volume;
 
-    const double modulus = material.elastic.lambda + 2 * material.elastic.mu;
+    const double modulus = hourglass_modulus(material.elastic);
     const T k = (material.hourglass * modulus * corners<dim>)*cell.volume * cell.gradient_square();
     T energy = T{};
     for (int a = 0; a < modes; ++a)
