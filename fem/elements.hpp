@@ -31,6 +31,19 @@ struct Unobserved {
 template <class Kinematics>
 inline constexpr bool rotates = !std::is_same_v<Kinematics, SmallStrain>;
 
+/// Calls body(q) for each point. Unrolled, what depends on q alone is known beforehand; but eight copies of a law with history would not fit
+/// the processor's store of decoded instructions.
+template <class LawType, int n, class Body>
+FEMSPH_INLINE void each_point(Body&& body) {
+  if constexpr (LawType::path_independent) {
+#pragma GCC unroll 8
+    for (int q = 0; q < n; ++q) body(q);
+  } else {
+#pragma GCC unroll 1
+    for (int q = 0; q < n; ++q) body(q);
+  }
+}
+
 /// 2^dim Gauss points.
 struct FullElement {
   template <int dim>
@@ -43,7 +56,7 @@ struct FullElement {
                                   Observer& observer) {
     const GaussCell<T, dim> x(X), y(u);
     GaussForce<T, dim> sum;
-    const auto point = [&](int q) __attribute__((always_inline)) {
+    each_point<LawType, corners<dim>>([&](int q) __attribute__((always_inline)) {
       Tensor<T, dim> C, P;
       const T det = cofactors<T, dim>(x.at(q), C);
       const Tensor<T, dim> H = displacement_gradient<T, dim>(y.at(q), C, 1.0 / det);
@@ -53,14 +66,7 @@ struct FullElement {
       observer.point(q, det, frame, strain, stress, history_of<LawType, dim>(state + q * point_state_size<LawType, dim>));
       Kinematics::template piola<T, dim>(frame, strain, stress, P);
       sum.add(q, P, C);
-    };
-    if constexpr (LawType::path_independent) {
-#pragma GCC unroll 8
-      for (int q = 0; q < corners<dim>; ++q) point(q);
-    } else {  // eight copies of a long body would not fit the processor's store of decoded instructions
-#pragma GCC unroll 1
-      for (int q = 0; q < corners<dim>; ++q) point(q);
-    }
+    });
     sum.nodal(f);
   }
 };
