@@ -30,9 +30,14 @@ std::size_t fibre(const Section& section, std::size_t points, Reduce reduce) {
   return rises == (reduce == Reduce::fibre_upper) ? points - 1 : 0;
 }
 
-double mean(const Curve& curve) {
+double integral_of(const Curve& curve) {
   double integral = 0;
   for (std::size_t i = 1; i < curve.at.size(); ++i) integral += (curve.at[i] - curve.at[i - 1]) * (curve.value[i] + curve.value[i - 1]) / 2;
+  return integral;
+}
+
+double mean(const Curve& curve) {
+  const double integral = integral_of(curve);
   const double span = curve.at.back() - curve.at.front();
   return span > 0 ? integral / span : curve.value.back();
 }
@@ -80,6 +85,8 @@ double reduce_history(const Curve& curve, Reduce reduce) {
       return *std::max_element(v.begin(), v.end(), [](double a, double b) { return std::abs(a) < std::abs(b); });
     case Reduce::mean:
       return mean(curve);
+    case Reduce::integral:
+      return integral_of(curve);
     case Reduce::frequency:
     case Reduce::period:
       break;
@@ -209,7 +216,7 @@ Reduced reduce(const QuantitySpec& quantity, const RunResult& result, const Scen
   if (quantity.reduce == Reduce::l2) return reduce_l2(quantity, result, scene, limit);
   Observed observed = quantity.observed;
   const bool of_time = quantity.reduce == Reduce::frequency || quantity.reduce == Reduce::period;
-  if (of_time || quantity.reduce == Reduce::moment) observed.unit.factor = 1;  // the unit is that of the result
+  if (of_time || quantity.reduce == Reduce::moment || quantity.reduce == Reduce::integral) observed.unit.factor = 1;  // the unit is that of the result
   const Curve curve = within(curve_of(observed, result), quantity.window);
   double value;
   if (quantity.reduce == Reduce::moment)
@@ -218,7 +225,7 @@ Reduced reduce(const QuantitySpec& quantity, const RunResult& result, const Scen
     value = curve.value[fibre(section_named(scene, observed.section), curve.value.size(), quantity.reduce)];
   else
     value = reduce_history(curve, quantity.reduce);
-  if (of_time) value /= quantity.observed.unit.factor;
+  if (of_time || quantity.reduce == Reduce::integral) value /= quantity.observed.unit.factor;
   if (!std::isfinite(value)) throw std::runtime_error(fmt::format("{} is not a finite number", quantity.name));
 
   Reduced reduced{signed_as(value, quantity.sign), {}, {}, {}, {}};

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "compare/capacity.hpp"
 #include "compare/run_output.hpp"
 #include "model/motion/conservation.hpp"
 
@@ -106,6 +107,7 @@ bool asks_for_drift(const std::set<std::string>& scalars) {
 }  // namespace
 
 RunResult run_scene(const Scene& scene, const Method& method, const Resolution& resolution, const RunOptions& options) {
+  refuse_excess(scene, method, resolution);
   const double start = wall_seconds(), start_cpu = cpu_seconds();
   std::vector<std::unique_ptr<Discretization>> bodies;
   for (std::size_t b = 0; b < scene.bodies.size(); ++b)

@@ -40,10 +40,10 @@ void one_expectation(Fields& fields, StudyReading& reading) {
   Expectation expectation;
   expectation.cases = read_names(fields, "cases", case_names(reading.study), "case");
   expectation.methods = read_names(fields, "methods", method_labels(reading.study), "method");
-  expectation.message = fields.text("message", Need::required, "part of what the failure says").value_or("");
+  expectation.messages = fields.texts("messages", Need::required, "a list of words, of which the failure says one").value_or(std::vector<std::string>{});
   expectation.reason = fields.text("reason", Need::required, "why it must fail").value_or("");
   fields.done();
-  if (reading.study.bounds.empty()) fields.fault("message", "[[expectations]] without [[bounds]]; expected bounds that the failure breaks");
+  if (reading.study.bounds.empty()) fields.fault("messages", "[[expectations]] without [[bounds]]; expected bounds that the failure breaks");
   reading.study.expectations.push_back(expectation);
 }
 

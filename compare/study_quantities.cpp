@@ -19,6 +19,7 @@ const std::vector<std::pair<std::string, Reduce>> reductions = {{"final", Reduce
                                                                 {"mean", Reduce::mean},
                                                                 {"frequency", Reduce::frequency},
                                                                 {"period", Reduce::period},
+                                                                {"integral", Reduce::integral},
                                                                 {"fibre_upper", Reduce::fibre_upper},
                                                                 {"fibre_lower", Reduce::fibre_lower},
                                                                 {"l2", Reduce::l2},
@@ -38,6 +39,13 @@ std::string scalar_unit(const std::string& scalar) {
   for (const auto& [name, si] : run_scalars())
     if (name == scalar) return si;
   return "1";
+}
+
+/// What the other columns of a history hold (model/motion/README.md): contact_NAME_force_x, and of a rigid body NAME_x, NAME_vx, NAME_turn.
+std::string column_unit(const std::string& column) {
+  if (column.starts_with("contact_") && column.find("_force_") != std::string::npos) return "N";
+  if (column.ends_with("_vx") || column.ends_with("_vy") || column.ends_with("_vz")) return "m/s";
+  return column.ends_with("_turn") ? "1" : "m";
 }
 
 bool of_section(Reduce reduce) {
@@ -107,17 +115,18 @@ Observed read_observed(Fields& fields, const std::optional<std::string>& scene, 
   Observed observed;
   const auto probe = fields.text("probe", Need::optional), section = fields.text("section", Need::optional);
   const auto energy = fields.text("energy", Need::optional), scalar = fields.text("scalar", Need::optional);
+  const auto column = fields.text("column", Need::optional, "a column of the history, such as \"contact_blow_force_x\"");
   const auto component = fields.text("component", Need::optional);
   const auto unit = fields.text("unit", Need::optional, "a unit such as \"mm\"");
   observed.probe = probe.value_or("");
   observed.section = section.value_or("");
-  observed.column = energy.value_or("");
+  observed.column = energy ? *energy : column.value_or("");
   observed.scalar = scalar.value_or("");
-  if (probe.has_value() + section.has_value() + energy.has_value() + scalar.has_value() != 1) {
-    fields.fault("probe", "expected one of \"probe\", \"section\", \"energy\" and \"scalar\" in " + fields.name());
+  if (probe.has_value() + section.has_value() + energy.has_value() + scalar.has_value() + column.has_value() != 1) {
+    fields.fault("probe", "expected one of \"probe\", \"section\", \"energy\", \"scalar\" and \"column\" in " + fields.name());
     return observed;
   }
-  std::string si = scalar ? scalar_unit(*scalar) : "J";
+  std::string si = scalar ? scalar_unit(*scalar) : column ? column_unit(*column) : "J";
   if (const auto known = scalar_names(); scalar && std::find(known.begin(), known.end(), *scalar) == known.end())
     fields.fault("scalar", fmt::format("unknown scalar {}; expected {}{}", in_quotes(*scalar), one_of(known), did_you_mean(*scalar, known)));
   if (energy && std::find(energies.begin(), energies.end(), *energy) == energies.end())
@@ -175,7 +184,7 @@ void one_quantity(Fields& fields, StudyReading& reading) {
   quantity.methods = read_names(fields, "methods", method_labels(reading.study), "method");
   const auto reduce = fields.choice<Reduce>("reduce", Need::optional, reductions);
   quantity.reduce = reduce.value_or(Reduce::final);
-  const std::string si = quantity.reduce == Reduce::frequency ? "Hz" : quantity.reduce == Reduce::period ? "s" : quantity.reduce == Reduce::l2 ? "1" : quantity.reduce == Reduce::moment ? "N m" : "";
+  const std::string si = quantity.reduce == Reduce::frequency ? "Hz" : quantity.reduce == Reduce::period ? "s" : quantity.reduce == Reduce::integral ? "N s" : quantity.reduce == Reduce::l2 ? "1" : quantity.reduce == Reduce::moment ? "N m" : "";
   quantity.observed = read_observed(fields, quantity.scene, si, reading.study);
   if (quantity.reduce == Reduce::l2) quantity.observed.unit = {"%", 1};
   if (quantity.reduce == Reduce::excess) {

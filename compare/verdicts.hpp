@@ -14,11 +14,11 @@ struct Bound {
   std::optional<double> low, high;      ///< of the value, in the unit of the table
 };
 
-/// A failure that must occur: the run stops, or a row breaks a bound, and says so with these words.
+/// A failure that must occur: the run stops, or a row breaks a bound, and says so with some of these words.
 struct Expectation {
   std::vector<std::string> cases, methods;
-  std::string message;  ///< part of what the failure says
-  std::string reason;   ///< why it must be so
+  std::vector<std::string> messages;  ///< one of them is part of what the failure says
+  std::string reason;                 ///< why it must be so
 };
 
 struct JudgedRow {

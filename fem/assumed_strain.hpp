@@ -151,8 +151,7 @@ struct AssumedStrainElement {
     AssumedField<T, dim> field, moments;
     field.expand(G, q, nu, nubar);
     const T weight = cell.volume * (1.0 / n);
-#pragma GCC unroll 8
-    for (int p = 0; p < n; ++p) {
+    each_point<LawType, n>([&](int p) __attribute__((always_inline)) {
       Symmetric<T, dim> strain = mean;
       field.add_to(p, strain);
       auto stress = advance_law<LawType, T, dim, Kinematics>(material.law, strain, state + p * point_state_size<LawType, dim>);
@@ -160,7 +159,7 @@ struct AssumedStrainElement {
       stress = Kinematics::template conjugate<T, dim>(strain, stress);
       for (int k = 0; k < symmetric_size<dim>; ++k) sum[k] += stress[k];
       moments.add_moments(p, stress);
-    }
+    });
     moments.collect(G, Q, nu, nubar);
     if constexpr (rotates<Kinematics>) {
       Tensor<T, dim> M{};

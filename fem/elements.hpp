@@ -31,6 +31,19 @@ struct Unobserved {
 template <class Kinematics>
 inline constexpr bool rotates = !std::is_same_v<Kinematics, SmallStrain>;
 
+/// Calls body(q) for each point. Unrolled, what depends on q alone is known beforehand; but eight copies of a law with history would not fit
+/// the processor's store of decoded instructions.
+template <class LawType, int n, class Body>
+FEMSPH_INLINE void each_point(Body&& body) {
+  if constexpr (LawType::path_independent) {
+#pragma GCC unroll 8
+    for (int q = 0; q < n; ++q) body(q);
+  } else {
+#pragma GCC unroll 1
+    for (int q = 0; q < n; ++q) body(q);
+  }
+}
+
 /// 2^dim Gauss points.
 struct FullElement {
   template <int dim>
@@ -43,7 +56,7 @@ struct FullElement {
                                   Observer& observer) {
     const GaussCell<T, dim> x(X), y(u);
     GaussForce<T, dim> sum;
-    const auto point = [&](int q) __attribute__((always_inline)) {
+    each_point<LawType, corners<dim>>([&](int q) __attribute__((always_inline)) {
       Tensor<T, dim> C, P;
       const T det = cofactors<T, dim>(x.at(q), C);
       const Tensor<T, dim> H = displacement_gradient<T, dim>(y.at(q), C, 1.0 / det);
@@ -53,14 +66,7 @@ struct FullElement {
       observer.point(q, det, frame, strain, stress, history_of<LawType, dim>(state + q * point_state_size<LawType, dim>));
       Kinematics::template piola<T, dim>(frame, strain, stress, P);
       sum.add(q, P, C);
-    };
-    if constexpr (LawType::path_independent) {
-#pragma GCC unroll 8
-      for (int q = 0; q < corners<dim>; ++q) point(q);
-    } else {  // eight copies of a long body would not fit the processor's store of decoded instructions
-#pragma GCC unroll 1
-      for (int q = 0; q < corners<dim>; ++q) point(q);
-    }
+    });
     sum.nodal(f);
   }
 };
@@ -113,8 +119,8 @@ struct SriElement {
 };
 
 /// Mean gradient and stiffness hourglass control (Flanagan and Belytschko 1981): per mode and component the energy
-///   1/2 k 2^dim q^2,  q = gamma . u,  k = coefficient (lambda + 2 mu) V sum_aI (dN_I/dx_a)^2,
-/// (lambda + 2 mu) V sum (dN/dx)^2 being their bound on the stiffness of the mean strain itself. Total form on the undeformed cell:
+///   1/2 k 2^dim q^2,  q = gamma . u,  k = coefficient M V sum_aI (dN_I/dx_a)^2,
+/// (lambda + 2 mu) V sum (dN/dx)^2 being their bound on the stiffness of the mean strain itself; M: see hourglass_modulus. Total form on the undeformed cell:
 /// q vanishes for any linear motion, rigid rotations included, so the control is objective without rotating anything.
 struct OnePointElement {
   template <int dim>
@@ -137,7 +143,7 @@ struct OnePointElement {
     for (int i = 0; i < dim; ++i)
       for (int j = 0; j < dim; ++j) P[i][j] *= cell.volume;
 
-    const double modulus = material.elastic.lambda + 2 * material.elastic.mu;
+    const double modulus = hourglass_modulus(material.elastic);
     const T k = (material.hourglass * modulus * corners<dim>)*cell.volume * cell.gradient_square();
     T energy = T{};
     for (int a = 0; a < modes; ++a)

@@ -46,9 +46,13 @@ bool is_fitted(const Shape& shape, const Options& options) {
 Particles fill_fitted(const Shape& shape, const Options& options, const std::vector<MirrorPlane>& planes) {
   const Point lower = shape.lower(), upper = shape.upper();
   std::array<int, 3> divisions{1, 1, 1};
+  const double places = shape.measure() / std::pow(options.spacing, shape.dim());
+  if (places > 5e8)
+    throw std::runtime_error(fmt::format("a spacing of {:g} mm asks for more than {:.1e} particles (about {:.0f} GB); take a coarser one", options.spacing * 1e3,
+                                         places, places * 300e-9));
   for (int a = 0; a < shape.dim(); ++a) {
     const double cells = std::round((upper[a] - lower[a]) / options.spacing);
-    if (!(cells >= 1) || cells > 1e5)
+    if (!(cells >= 1) || cells > 1e9)
       throw std::runtime_error(fmt::format("a spacing of {:g} mm does not fit a body {:g} mm long along {}", options.spacing * 1e3, (upper[a] - lower[a]) * 1e3, "xyz"[a]));
     divisions[a] = int(cells);
   }

@@ -27,7 +27,7 @@ class TotalLagrangian final : public ParticleBody {
     if constexpr (hourglass) l_.assign(blocks() * lanes * dim, 0.0);
     state_.assign(blocks() * lanes * n_state, 0.0);
     const LinearElastic elastic = law_.elastic();
-    kappa_ = options_.hourglass * (elastic.lambda + 2 * elastic.mu);
+    kappa_ = options_.hourglass * hourglass_modulus(elastic);
     if (options.viscosity.on()) viscosity_ = std::make_unique<PairViscosity<dim, Stencils>>(particles_, kernel, options, density_, wave_speed_, thickness_);
   }
 

@@ -67,9 +67,10 @@ template <class T>
 }
 
 /// Rotation of the polar decomposition F = R U. 2D: closed form. 3D: with G = X^T X - 1 the turns
-///   X <- X (1 - G/2 + 3/8 G^2)    leave 5/16 |G|^3, no division (the series of (1 + G)^-1/2; Higham, Functions of Matrices, 8.3),
-///   X <- (X + X^-T)/2             Newton's, for stretches far from 1 (Higham 1986).
-/// They end when the last one's error is below 1e-16 in every lane: two turns for stretches up to 1 %, three up to 10 %.
+///   X <- X (1 - G/2 + 3/8 G^2 - 5/16 G^3 + 35/128 G^4)    leave 63/256 |G|^5, no division (the series of (1 + G)^-1/2; Higham,
+///                                                         Functions of Matrices, 8.3),
+///   X <- (X + X^-T)/2                                     Newton's, for stretches far from 1 (Higham 1986).
+/// They end when the last one's error is below 1e-16 in every lane: one turn for stretches up to 0.04 %, two up to 13 %.
 template <class T, int dim>
 FEMSPH_INLINE Tensor<T, dim> polar_rotation(const Tensor<T, dim>& F) {
   Tensor<T, dim> R;
@@ -89,18 +90,26 @@ FEMSPH_INLINE Tensor<T, dim> polar_rotation(const Tensor<T, dim>& F) {
           G(i, j) = i == j ? g - 1.0 : g;
         }
       const T size = contract(G, G);  // |G|^2
-      if (any(size > 0.09)) {
+      if (any(size > 0.25)) {
         R = newton_polar_turn(R);
         continue;
       }
+      const auto times = [](const Symmetric<T, 3>& A, const Symmetric<T, 3>& B) __attribute__((always_inline)) {  // of two powers of G
+        Symmetric<T, 3> C;
+        for (int i = 0; i < 3; ++i)
+          for (int j = i; j < 3; ++j) C(i, j) = A(i, 0) * B(0, j) + A(i, 1) * B(1, j) + A(i, 2) * B(2, j);
+        return C;
+      };
+      const Symmetric<T, 3> G2 = times(G, G);
       Symmetric<T, 3> S;
-      for (int i = 0; i < 3; ++i)
-        for (int j = i; j < 3; ++j) S(i, j) = 0.375 * (G(i, 0) * G(0, j) + G(i, 1) * G(1, j) + G(i, 2) * G(2, j)) - 0.5 * G(i, j);
+      for (int k = 0; k < 6; ++k) S[k] = 35.0 / 128 * G2[k] - 5.0 / 16 * G[k];
+      S = times(G2, S);
+      for (int k = 0; k < 6; ++k) S[k] += 3.0 / 8 * G2[k] - 0.5 * G[k];
       for (int i = 0; i < 3; ++i) {
         const T x = R[i][0], y = R[i][1], z = R[i][2];
         for (int j = 0; j < 3; ++j) R[i][j] += x * S(0, j) + y * S(1, j) + z * S(2, j);
       }
-      if (!any(size > 4e-11)) break;
+      if (!any(size > 6.5e-7)) break;
     }
   }
   return R;

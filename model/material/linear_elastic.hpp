@@ -1,5 +1,7 @@
 #pragma once
 
+#include <algorithm>
+
 #include "model/numerics/tensor.hpp"
 
 namespace femsph {
@@ -61,5 +63,9 @@ struct LinearElastic {
     return plane == Plane::stress ? -poisson / (1 - poisson) * (e[0] + e[1]) : 0.0;
   }
 };
+
+/// What hourglass control takes for the body's stiffness, Pa: lambda + 2 mu, but no more than its value for nu = 0.3, 3.5 mu. Hourglass modes
+/// shear and bend; in proportion to lambda, which grows without bound as nu -> 0.5, their control would lock a nearly incompressible body.
+inline double hourglass_modulus(const LinearElastic& elastic) { return std::min(elastic.lambda + 2 * elastic.mu, 3.5 * elastic.mu); }
 
 }  // namespace femsph

@@ -51,21 +51,8 @@ void Plastic::flow(const Symmetric<T, dim>& increment, Symmetric<T, dim>& stress
                            : tangent_step<T, dim>(base, p.hardening, yield, increment, before, now);
   if (p.tension == TensionRule::principal) cut_tension(p.tensile_strength, now);
 
-  history[equivalent_strain] += step.equivalent;
   if (p.integration == Integration::largest_stress) history[excess] = larger(history[excess], von_mises(now) - initial);
-  PointStress<T, dim> mean, lost;
-  for (int k = 0; k < symmetric_size<dim>; ++k) {
-    mean.in[k] = 0.5 * (before.in[k] + now.in[k]);
-    lost.in[k] = trial.in[k] - now.in[k];
-  }
-  mean.across = 0.5 * (before.across + now.across);
-  lost.across = trial.across - now.across;
-  history[work] += compliance<T, dim>(mean.in, mean.across, lost.in, lost.across);
-  if constexpr (dim == 2) {
-    if (base.plane == Plane::strain) history[across] = now.across;
-    else history[across] += step.across;
-  }
-  stress = now.in;
+  note(trial, now, step, stress, history);
 }
 
 template void Plastic::flow(const Symmetric<double, 2>&, Symmetric<double, 2>&, double*) const;

@@ -5,13 +5,12 @@
 //   flow       d eps^p = dp 3 s / (2 q),  p the equivalent plastic strain
 //
 // A tension rule and the way the stress is integrated are parameters of the one law, so that it is compiled once for all of them. The
-// elastic step and the question whether any of eight points yields stand in the kernels; what follows then is one call, flow(), which
-// asks for the rule once. The pieces: return_mapping.hpp, no_return.hpp, tension.hpp.
+// elastic step, the question whether any of eight points yields, and the radial return stand in the kernels; everything else is one call,
+// flow(), which asks for the rule once. The pieces: return_mapping.hpp, no_return.hpp, tension.hpp.
 
 #include <optional>
 
-#include "model/material/linear_elastic.hpp"
-#include "model/material/point_stress.hpp"
+#include "model/material/return_mapping.hpp"
 
 namespace femsph {
 
@@ -75,6 +74,12 @@ struct Plastic {
         }
         return;
       }
+      if (dim == 3 || base.plane == Plane::strain) {
+        plastic::PointStress<T, dim> now = trial;
+        const plastic::Flow<T> step = plastic::radial_return(base, parameters.hardening, yield, now);
+        note(trial, now, step, stress, history);
+        return;
+      }
     }
     const Symmetric<T, dim> by = increment;  // copies: what the kernel holds in registers must not have an address
     Symmetric<T, dim> to = stress;
@@ -85,6 +90,25 @@ struct Plastic {
   /// update() by any rule, whether points yield or not; in plastic.cpp, for T = double and Pack, dim = 2 and 3.
   template <class T, int dim>
   void flow(const Symmetric<T, dim>& increment, Symmetric<T, dim>& stress, T* history) const;
+
+  /// Ends a step that led from `stress` to `now` by way of `trial`: stress and history.
+  template <class T, int dim>
+  FEMSPH_INLINE void note(const plastic::PointStress<T, dim>& trial, const plastic::PointStress<T, dim>& now, const plastic::Flow<T>& step,
+                          Symmetric<T, dim>& stress, T* history) const {
+    history[equivalent_strain] += step.equivalent;
+    Symmetric<T, dim> mean, lost;
+    for (int k = 0; k < symmetric_size<dim>; ++k) {
+      mean[k] = 0.5 * (stress[k] + now.in[k]);
+      lost[k] = trial.in[k] - now.in[k];
+    }
+    const T mean_across = 0.5 * (stress_across<T, dim>(history) + now.across);
+    history[work] += compliance<T, dim>(mean, mean_across, lost, trial.across - now.across);
+    if constexpr (dim == 2) {
+      if (base.plane == Plane::strain) history[across] = now.across;
+      else history[across] += step.across;
+    }
+    stress = now.in;
+  }
 
   /// The stress as if the step were elastic.
   template <class T, int dim>

@@ -7,15 +7,19 @@
 
 namespace femsph {
 
-/// Allocates on 64-byte boundaries: a cache line, and the width of a Pack.
+/// Memory on 64-byte boundaries: a cache line, and the width of a Pack. Large blocks ask for huge pages: the state of a plastic body alone is
+/// a thousand bytes a cell, and prefetching ends at a page.
+void* allocate_aligned(std::size_t bytes);
+void release_aligned(void* p, std::size_t bytes);
+
 template <class T>
 struct AlignedAllocator {
   using value_type = T;
   AlignedAllocator() = default;
   template <class U>
   AlignedAllocator(const AlignedAllocator<U>&) {}
-  T* allocate(std::size_t n) { return static_cast<T*>(::operator new(n * sizeof(T), std::align_val_t(64))); }
-  void deallocate(T* p, std::size_t) { ::operator delete(p, std::align_val_t(64)); }
+  T* allocate(std::size_t n) { return static_cast<T*>(allocate_aligned(n * sizeof(T))); }
+  void deallocate(T* p, std::size_t n) { release_aligned(p, n * sizeof(T)); }
   template <class U>
   bool operator==(const AlignedAllocator<U>&) const { return true; }
 };

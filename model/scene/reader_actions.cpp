@@ -120,7 +120,8 @@ void read_loads(Fields& root, Reading& reading) {
 void read_gravity(Fields& root, Reading& reading) {
   auto gravity = root.table("gravity", Need::optional, "a table with acceleration = [\"0 m/s^2\", \"-9.81 m/s^2\"] or the like");
   if (!gravity) return;
-  reading.scene.gravity = gravity->vector("acceleration", Need::required, dimension::acceleration, reading.dim);
+  const auto acceleration = gravity->vector("acceleration", Need::required, dimension::acceleration, reading.dim);
+  if (acceleration && !is_zero(*acceleration)) reading.scene.gravity = acceleration;  // zero is no gravity: it costs nothing
   gravity->done();
 }
 

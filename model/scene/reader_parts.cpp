@@ -60,7 +60,8 @@ void read_bars(Fields& root, Reading& reading) {
     if (material && !materials.empty() && !reading.scene.materials.count(*material))
       fields.fault("material", fmt::format("unknown material {}; expected {}{}", in_quotes(*material), one_of(materials), did_you_mean(*material, materials)));
     if (!body || !from || !to || !area || !material) continue;
-    if (const auto known = reading.scene.materials.find(*material); known != reading.scene.materials.end() && known->second.plasticity && known->second.plasticity->johnson_cook)
+    const auto known = reading.scene.materials.find(*material);
+    if (known != reading.scene.materials.end() && known->second.plasticity && known->second.plasticity->johnson_cook)
       fields.fault("material", fmt::format("material {} hardens by Johnson-Cook, which bars do not; expected \"hardening\" or \"tangent_ratio\"", in_quotes(*material)));
     const Bar bar{name, *body, *from, *to, *area, *material, fields.source()};
     require_inside(fields, "from", *from, *body, reading);

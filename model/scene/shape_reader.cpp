@@ -67,7 +67,8 @@ ShapePointer read_round(Fields& body, int dim, const std::filesystem::path&) {
     size.axis = *axis;
   }
   if (dim && dim != round_dim)
-    return body.fault("shape", round_dim == 2 ? "a ring in a three-dimensional scene; expected \"tube\"" : "a cylinder or tube in a plane scene; expected \"disc\" or \"ring\""), nullptr;
+    return body.fault("shape", round_dim == 2 ? "a ring in a three-dimensional scene; expected \"tube\""
+                                              : "a cylinder or tube in a plane scene; expected \"disc\" or \"ring\""), nullptr;
   if (hollow && inner && outer && *inner >= *outer)
     return body.fault("inner", fmt::format("\"inner\" is {:g} mm, not below \"outer\", {:g} mm; expected the smaller radius", *inner * 1e3, *outer * 1e3)), nullptr;
   if (!centre || !outer || !inner || !length || !dim) return nullptr;
@@ -89,7 +90,8 @@ ShapePointer read_quadrilateral(Fields& body, int dim, const std::filesystem::pa
   for (std::size_t k = 0; k < 4; ++k) {
     const Point &a = corners[k], &b = corners[(k + 1) % 4], &c = corners[(k + 2) % 4];
     if (!((b[0] - a[0]) * (c[1] - b[1]) - (b[1] - a[1]) * (c[0] - b[0]) > 0))
-      return body.fault(keys[(k + 1) % 4], fmt::format("the corners turn the wrong way at \"{}\"; expected a convex quadrilateral, counterclockwise from the lower left", keys[(k + 1) % 4])), nullptr;
+      return body.fault(keys[(k + 1) % 4], fmt::format("the corners turn the wrong way at \"{}\"; expected a convex quadrilateral, counterclockwise from the "
+                                                       "lower left", keys[(k + 1) % 4])), nullptr;
   }
   return std::make_shared<Quadrilateral>(corners);
 }

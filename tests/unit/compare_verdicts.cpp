@@ -74,7 +74,7 @@ TEST(Verdicts, ALaterBoundOverridesForItsOwnRows) {
 }
 
 TEST(Verdicts, AnExpectedFailureMustOccurAndForTheReasonGiven) {
-  const Expectation locks{{"spin"}, {"fem-full"}, "off by -", "it locks"};
+  const Expectation locks{{"spin"}, {"fem-full"}, {"off by -"}, "it locks"};
   Row row = kept();
   row.error_percent = -40;
   const auto as_expected = judged(row, {all_bounds()}, {locks});
@@ -109,7 +109,7 @@ TEST(Verdicts, AStudyWithBounds) {
   folder.write("studies/hard/scene.toml", cantilever_toml);
   const std::string runs = "title = \"Hard\"\n[[runs]]\nmethods = [\"fem-full\", \"sph-corrected\"]\nspacing = [\"20 mm\"]\n[[quantities]]\nname = \"tip\"\nprobe = \"tip\"\n"
                            "component = \"y\"\nunit = \"mm\"\nreference = \"-4.8 mm\"\n[[bounds]]\nenergy_drift = 0.01\nerror_percent = 2\n";
-  folder.write("studies/hard/study.toml", runs + "[[expectations]]\nmethods = [\"sph-corrected\"]\nmessage = \"no luck\"\nreason = \"it never has\"\n");
+  folder.write("studies/hard/study.toml", runs + "[[expectations]]\nmethods = [\"sph-corrected\"]\nmessages = [\"no luck\"]\nreason = \"it never has\"\n");
   Engine engine;
   engine.run = [](const Scene&, const Method& method, const Resolution& resolution, const RunOptions& options) {
     EXPECT_TRUE(options.scalars.contains("energy_drift"));
@@ -148,7 +148,7 @@ TEST(Verdicts, FaultsOfBoundsAndReferences) {
   EXPECT_THAT(faults(tip + "[[bounds]]\nmethods = [\"fem-fall\"]\n"), HasSubstr("did you mean \"fem-full\"?"));
   EXPECT_THAT(faults(tip + "[[bounds]]\nenergy_drift = -1\n"), HasSubstr("expected a number not below 0"));
   EXPECT_THAT(faults(tip + "[[bounds]]\nquantity = \"tap\"\n"), HasSubstr("did you mean \"tip\"?"));
-  EXPECT_THAT(faults(tip + "[[expectations]]\nmessage = \"x\"\nreason = \"y\"\n"), HasSubstr("[[expectations]] without [[bounds]]"));
+  EXPECT_THAT(faults(tip + "[[expectations]]\nmessages = [\"x\"]\nreason = \"y\"\n"), HasSubstr("[[expectations]] without [[bounds]]"));
   EXPECT_THAT(faults("[[quantities]]\nname = \"step\"\nscalar = \"critical_step\"\nunit = \"us\"\nreference = \"4 us\"\n"), "");
   EXPECT_THAT(faults("[[quantities]]\nname = \"drift\"\nscalar = \"energy_drft\"\n"), HasSubstr("did you mean \"energy_drift\"?"));
 }
