@@ -23,6 +23,9 @@ double shortest_side(const Scene& scene) {
   return shortest;
 }
 
+/// An order far from what any of the methods has is that of a ladder not yet on its way.
+bool plausible(double order) { return order >= 0.3 && order <= 6; }
+
 struct Ladders {
   const Scene& scene;
   const Question& question;
@@ -46,7 +49,7 @@ struct Ladders {
     Ladder values;
     for (std::size_t i = 0; i < m.rungs.size(); ++i) values.push_back({m.rungs[i].spacing, m.values[i]});
     const auto found = richardson(values);
-    return found && found->limit != 0 && 125 * std::abs(m.values.back() / found->limit - 1) < 0.2 * *question.error;
+    return found && found->limit != 0 && plausible(found->order) && 125 * std::abs(m.values.back() / found->limit - 1) < 0.2 * *question.error;
   }
 
   /// One rung more; a second run where it takes little, since the less of two times is nearer to the truth.
@@ -100,8 +103,7 @@ void find_limits(Advice& advice) {
     if (!found || found->limit == 0) continue;
     m.limit = found->limit, m.order = found->order;
     m.known_percent = 125 * std::abs(m.values.back() / found->limit - 1);
-    // An order far from what any of the methods has is that of a ladder not yet on its way.
-    if (found->order > 6 || found->order < 0.3) m.limit.reset();
+    if (!plausible(found->order)) m.limit.reset();
   }
 }
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "compare/capacity.hpp"
 #include "compare/commands.hpp"
 #include "model/numerics/parallel.hpp"
 #include "model/results/price.hpp"
@@ -82,6 +83,7 @@ int check_command(const RunCommand& command) {
   }
   const Method method = method_of(command);
   const Resolution resolution = resolution_of(command);
+  refuse_excess(scene, method, resolution);
   std::vector<std::unique_ptr<Discretization>> bodies;
   for (std::size_t b = 0; b < scene.bodies.size(); ++b)
     if (!scene.bodies[b].rigid) bodies.push_back(discretize(scene, b, method, resolution));

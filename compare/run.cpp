@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "compare/capacity.hpp"
 #include "compare/run_output.hpp"
 #include "model/motion/conservation.hpp"
 
@@ -71,12 +72,6 @@ std::vector<std::pair<std::string, std::string>> derived_values(const March& mar
   return out;
 }
 
-const std::vector<std::pair<std::string, std::string>>& run_scalars() {
-  static const std::vector<std::pair<std::string, std::string>> list = {{"surface_weight_loss", "1"}, {"critical_step", "s"}, {"energy_drift", "1"},
-                                                                        {"momentum_drift", "1"}, {"angular_momentum_drift", "1"}, {"hourglass_share", "1"}};
-  return list;
-}
-
 namespace {
 
 /// What a march has, at its end or where it stopped.
@@ -106,6 +101,7 @@ bool asks_for_drift(const std::set<std::string>& scalars) {
 }  // namespace
 
 RunResult run_scene(const Scene& scene, const Method& method, const Resolution& resolution, const RunOptions& options) {
+  refuse_excess(scene, method, resolution);
   const double start = wall_seconds(), start_cpu = cpu_seconds();
   std::vector<std::unique_ptr<Discretization>> bodies;
   for (std::size_t b = 0; b < scene.bodies.size(); ++b)

@@ -1,6 +1,6 @@
 // What looks after a march: numbers, energy, units and the step; and settling.
 //
-// Every watch_every_ steps a glance, which reads velocities only; every tenth time, and at the end, a look at everything.
+// Every watch_every_ steps a glance, which reads velocities only; every eighth time, and at the end, a look at everything.
 
 #include <fmt/format.h>
 
@@ -13,7 +13,7 @@ namespace femsph {
 
 namespace {
 
-constexpr long glances_a_look = 10;
+constexpr long glances_a_look = 8;
 
 /// Energy from nowhere that a look tolerates, as a share of all that has passed through. Belytschko, Liu and Moran (Nonlinear Finite Elements
 /// for Continua and Structures, 6.2.3) take a march for unstable beyond about 1 %; contact that chatters comes near that here.
@@ -37,6 +37,10 @@ std::string in_metres(const Point& x) { return fmt::format("({:.6g}, {:.6g}, {:.
 
 void March::watch(bool last) {
   PhaseTimer timer(price_, "watching");
+  if (step_ == 0) {
+    if (keep_good_) good_.save(*this);
+    return;
+  }
   if (!last && !scene_.settling && step_ % (glances_a_look * watch_every_) != 0) {
     double moving = 0;
     for (const MovingBody& body : bodies_) moving += half_step_kinetic(body);
@@ -49,7 +53,7 @@ void March::watch(bool last) {
     look_at_units();
     if (keep_good_) good_.save(*this);
   }
-  if (scene_.settling && step_ > 0 && step_ % watch_every_ == 0) settle(l);
+  if (scene_.settling && step_ % watch_every_ == 0) settle(l);
 }
 
 /// What a sound march can hold as kinetic energy at a half step, or as stored energy: in the leap-frog a mode of frequency omega and energy E
@@ -62,14 +66,16 @@ double March::allowance() const {
 void March::look_at_energy(const Ledger& l) {
   if (!std::isfinite(l.stored()) || !std::isfinite(l.external))
     fail(Stopped::Watch::not_a_number, fastest_point(), "a displacement is not a finite number",
-         "the march has become unstable, or a load or material is out of range: try a smaller --safety");
-  if (step_ == 0) return;
+         scene_.large_motion ? "a unit may have turned inside out, the march may have become unstable, or a load or material is out of range: try more [time] "
+                               "snapshots to see where it begins, a gentler load, or a smaller --safety"
+                             : "the march has become unstable, or a load or material is out of range: try a smaller --safety");
   created_ = std::max(created_, -l.plastic);
   const double supplied = initial_energy_ + external_passed_ + created_, from_nowhere = -l.imbalance();
   const double held = l.strain + l.hourglass + l.contact, most = allowance();
   double moving = 0;
   for (const MovingBody& body : bodies_) moving += half_step_kinetic(body);
   if (moving <= most && held <= most && from_nowhere <= tolerance * supplied + 1e-12) return;
+  look_at_units();  // a unit that cannot be followed is the nearer cause
   const std::string place = fastest_point();
   const std::string grown = from_nowhere > tolerance * supplied + 1e-12
                                 ? fmt::format("{:.3g} J of energy have come from nowhere, with {:.3g} J supplied by loads and the start", from_nowhere, supplied)

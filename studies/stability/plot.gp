@@ -9,7 +9,7 @@ set output figure("spin-energy")
 set title "spinning plate, ten turns (exact start: 229.17 kJ)"
 set xlabel "time, s"
 set ylabel "kinetic energy, kJ"
-set yrange [220:240]
+set yrange [226:234]
 if (has("spin-energy")) {
   plot for [m in present("spin-energy")] file("spin-energy") using "time_s":m with lines ls style_of(m) title m
 }
@@ -23,7 +23,7 @@ if (has("bending-top")) {
 set output figure("twist-corner")
 set title "twisting column"
 set ylabel "displacement of a corner of the top, x, m"
-set yrange [-2.5:2.5]
+set yrange [-1.5:0.5]
 if (has("twist-corner")) {
   plot for [m in present("twist-corner")] file("twist-corner") using "time_s":m with lines ls style_of(m) title m
 }
@@ -32,7 +32,7 @@ set output figure("strip-stress")
 set title "strip held at 10 % stretch (exact: 1 MPa)"
 set xlabel "time, ms"
 set ylabel "stress in the middle, MPa"
-set yrange [-2:3]
+set yrange [0.8:1.4]
 if (has("strip-stress")) {
   plot for [m in present("strip-stress")] file("strip-stress") using "time_ms":m with lines ls style_of(m) title m
 }

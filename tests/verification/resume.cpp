@@ -1,5 +1,5 @@
 // Runs of the real program are killed at random moments and taken up again: what they leave must be what an undisturbed run leaves, to the byte.
-//   FEMSPH_KILLS=20 build/release/verification --gtest_filter='Resume.*'     tries as often for every scene and method (else once by each signal)
+//   FEMSPH_KILLS=20 build/release/verification --gtest_filter='Resume.*'     tries as often for every scene and method (else once, by one signal or the other)
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -265,15 +265,15 @@ class Resume : public testing::Test {
 
 TEST_F(Resume, ARunThatWasKilledGoesOnAsIfNothingHadBeen) {
   const char* asked = std::getenv("FEMSPH_KILLS");
-  const int kills = asked ? std::atoi(asked) : 2;
+  const int kills = asked ? std::atoi(asked) : 1;
   std::mt19937 random(asked ? std::random_device{}() : 1);
-  int taken_up = 0, early = 0;
+  int taken_up = 0, early = 0, tried = 0;
   for (const Case& c : cases()) {
     SCOPED_TRACE(std::string(c.name) + " by " + c.solver);
     ASSERT_EQ(run(run_of(c, "whole"), folder / "log"), 0) << read(folder / "log");
     ASSERT_FALSE(fs::exists(folder / "whole/checkpoint.h5"));
     for (int k = 0; k < kills; ++k) {
-      const int signal = k % 2 == 0 ? SIGKILL : SIGTERM;
+      const int signal = tried++ % 2 == 0 ? SIGKILL : SIGTERM;
       fs::remove_all(folder / "cut");
       const pid_t child = start(run_of(c, "cut") + " --checkpoint 40", folder / "log");
       int status = 0;

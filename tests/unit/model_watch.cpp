@@ -1,0 +1,211 @@
+// Each watch of the march on one mass and one spring that goes wrong in one way; and what archives promise.
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "model/motion/march.hpp"
+#include "model/numerics/array.hpp"
+#include "model_results_fake.hpp"
+
+namespace femsph {
+namespace {
+
+using testing::AllOf;
+using testing::HasSubstr;
+
+constexpr double mass_of_it = 2.0, spring = 800.0, omega = 20.0;  // the critical step is 2 / omega = 0.1 s
+
+/// m u'' = -k u on one point, with something added.
+class Mass : public test::FakeBody {
+ public:
+  Mass() : mass_(1, mass_of_it) {
+    layout_ = {1, 2, 2, 1, 0, 2};
+    points_ = {{0.5, 0.25, 0}};
+  }
+  std::span<const double> mass() const override { return mass_; }
+  void stiffness(const double* x, double* y) const override { y[0] = spring * x[0], y[1] = 0; }
+  void internal_force(const double* u, const double* v, double dt, double* f, double*) override {
+    if (!std::isfinite(u[0])) ++calls_after_nonsense;
+    remembered += dt;
+    f[0] = -spring * u[0] + added(u[0], v[0]);
+    f[1] = 0;
+  }
+  double strain_energy(const double* u) const override { return 0.5 * spring * u[0] * u[0] + added_energy(u[0]); }
+  std::vector<Weight> points_of(const Place&) const override { return {{0, 1.0}}; }
+  std::vector<Weight> interpolation(const Point&) const override { return {{0, 1.0}}; }
+  void state(Archive& archive) override { archive("remembered", remembered); }
+  virtual double added(double, double) const { return 0; }
+  virtual double added_energy(double) const { return 0; }
+  double remembered = 0;
+  int calls_after_nonsense = 0;
+
+ private:
+  std::vector<double> mass_;
+};
+
+/// Half as stiff again beyond u = 0.01 m: the critical step there is 0.0816 s.
+class Stiffens : public Mass {
+  double beyond(double u) const { return std::max(0.0, std::abs(u) - 0.01); }
+  double added(double u, double) const override { return -0.5 * spring * std::copysign(beyond(u), u); }
+  double added_energy(double u) const override { return 0.25 * spring * beyond(u) * beyond(u); }
+};
+
+/// A force along the velocity, which no energy accounts for: amplitude grows as exp(c t / 2 m).
+class Pushes : public Mass {
+  double added(double, double v) const override { return 0.05 * mass_of_it * v; }
+};
+
+class TurnsInsideOut : public Mass {
+ public:
+  std::optional<Trouble> trouble(const double* u) const override {
+    if (std::abs(remembered) < 3000 || std::abs(u[0]) > 1) return std::nullopt;
+    return Trouble{"cell 7 has turned inside out", "try a finer mesh", {0.5 + u[0], 0.25, 0}};
+  }
+};
+
+Scene moving(double duration) {
+  Scene s;
+  s.materials["m"] = Material{"m", 1, 0, 1};
+  s.bodies.push_back({"body", std::make_shared<Box>(2, Point{}, Point{1, 1, 0}), 1, "m"});
+  InitialVelocity start;
+  start.velocity = {1, 0, 0};
+  s.initial_velocities.push_back(start);
+  s.large_motion = true;
+  s.duration = duration;
+  return s;
+}
+
+struct Marching {
+  Marching(Scene s, std::unique_ptr<Discretization> body, MarchOptions options = {}) : scene(std::move(s)), march(scene, one(std::move(body)), options) {
+    march.keep_good_states();
+    MarchEvents events;
+    events.between = [&](March& m) { u.push_back(m.bodies()[0].u[0]); };
+    try {
+      march.run(events);
+    } catch (const Stopped& stop) {
+      watch = stop.watch;
+      message = stop.what();
+    }
+  }
+  static std::vector<std::unique_ptr<Discretization>> one(std::unique_ptr<Discretization> body) {
+    std::vector<std::unique_ptr<Discretization>> v;
+    v.push_back(std::move(body));
+    return v;
+  }
+  Scene scene;
+  March march;
+  std::vector<double> u;  ///< after each step
+  std::optional<Stopped::Watch> watch;
+  std::string message;
+};
+
+TEST(Watch, LeavesASoundMarchAlone) {
+  const Marching r(moving(2000), std::make_unique<Mass>());
+  EXPECT_FALSE(r.watch) << r.message;
+  EXPECT_GT(r.march.step(), 20000);
+}
+
+TEST(Watch, StepAboveTheCriticalOneIsToldByTheFrequencyOfWhatGrows) {
+  const Marching r(moving(100), std::make_unique<Stiffens>());
+  ASSERT_EQ(r.watch, Stopped::Watch::step) << r.message;
+  EXPECT_LE(r.march.step(), 50);
+  // omega = sqrt(1.5 k / m) = 24.5 / s; --safety 0.8 x 0.0816 / 0.1 = 0.65
+  EXPECT_THAT(r.message, AllOf(HasSubstr("stopped at step"), HasSubstr("24.49 rad/s"), HasSubstr("point 0 at (0.5, 0.25, 0) m"), HasSubstr("try --safety 0.65")));
+  MarchOptions smaller;
+  smaller.safety = 0.2;
+  EXPECT_FALSE(Marching(moving(100), std::make_unique<Stiffens>(), smaller).watch);
+}
+
+TEST(Watch, EnergyFromNowhere) {
+  const Marching r(moving(100), std::make_unique<Pushes>());
+  ASSERT_EQ(r.watch, Stopped::Watch::energy) << r.message;
+  EXPECT_THAT(r.message, AllOf(HasSubstr("have come from nowhere"), HasSubstr("--safety")));
+  EXPECT_LT(r.march.time(), 20);  // exp(0.05 t) - 1 has passed 5 % at 1 s
+}
+
+TEST(Watch, NotANumber) {
+  Scene s = moving(1000);
+  Load load;
+  load.force = {std::nan(""), 0, 0};
+  load.history.time = {0, 500};
+  load.history.factor = {1, 1};
+  s.loads.push_back(load);
+  const Marching r(s, std::make_unique<Mass>());
+  ASSERT_EQ(r.watch, Stopped::Watch::not_a_number) << r.message;
+  EXPECT_THAT(r.message, AllOf(HasSubstr("not a finite number"), HasSubstr("point 0 at")));
+}
+
+TEST(Watch, UnitsAreAskedInLargeMotionAndTheLastGoodStateComesBack) {
+  Marching r(moving(6000), std::make_unique<TurnsInsideOut>());
+  ASSERT_EQ(r.watch, Stopped::Watch::unit) << r.message;
+  EXPECT_THAT(r.message, AllOf(HasSubstr("cell 7 has turned inside out"), HasSubstr("try a finer mesh"), HasSubstr("body \"body\", at (0.")));
+  const long failed = r.march.step();
+  ASSERT_TRUE(r.march.return_to_good_state());
+  const long good = r.march.step();
+  EXPECT_LT(good, failed);
+  EXPECT_GT(good, 0);
+  EXPECT_EQ(r.march.bodies()[0].u[0], r.u[std::size_t(good - 1)]);
+  EXPECT_NEAR(dynamic_cast<const Mass&>(*r.march.bodies()[0].discretization).remembered, r.march.time(), 1e-6);
+  Scene small = moving(6000);
+  small.large_motion = false;
+  const Marching unasked(small, std::make_unique<TurnsInsideOut>());
+  EXPECT_FALSE(unasked.watch);
+}
+
+TEST(Watch, MoreStepsThanAnyMachineMarchesAreRefused) {
+  EXPECT_THAT([] { Marching r(moving(1e12), std::make_unique<Mass>()); }, testing::ThrowsMessage<MotionError>(HasSubstr("which no machine marches")));
+}
+
+struct Everything {
+  struct Part {
+    int number = 0;
+    bool yes = false;
+    Point point{};
+  };
+  double real = 0;
+  long whole = 0;
+  bool flag = false;
+  Point point{};
+  std::vector<double> reals;
+  AlignedVector<double> aligned;
+  std::vector<Point> points;
+  std::vector<std::size_t> numbers;
+  std::vector<Part> parts;
+  void state(Archive& a) {
+    a("real", real), a("whole", whole), a("flag", flag), a("point", point), a("reals", reals);
+    a.below("deep", [&] { a("aligned", aligned), a("points", points), a("numbers", numbers); });
+    a.each("n", parts, &Part::number), a.each("y", parts, &Part::yes), a.each("p", parts, &Part::point);
+  }
+};
+
+TEST(Archive, PutsBackEveryKindOfValueAndVectorsWithTheirLengths) {
+  Everything before{-0.0, -7, true, {1, 2, 3}, {4, std::nan(""), 5}, {6}, {{7, 8, 9}, {10, 11, 12}}, {13, std::size_t(1) << 40}, {{1, true, {1, 2, 3}}, {-2, false, {4, 5, 6}}}};
+  MemoryArchive archive;
+  EXPECT_TRUE(archive.empty());
+  archive.save(before);
+  Everything after;
+  after.reals.assign(100, 1.0);
+  after.parts.resize(2);
+  archive.restore(after);
+  EXPECT_TRUE(std::signbit(after.real));
+  EXPECT_EQ(after.whole, -7);
+  EXPECT_TRUE(after.flag);
+  EXPECT_EQ(after.point, before.point);
+  ASSERT_EQ(after.reals.size(), 3u);
+  EXPECT_TRUE(std::isnan(after.reals[1]));
+  EXPECT_EQ(after.aligned, before.aligned);
+  EXPECT_EQ(after.points, before.points);
+  EXPECT_EQ(after.numbers, before.numbers);
+  EXPECT_EQ(after.parts[1].number, -2);
+  EXPECT_TRUE(after.parts[0].yes);
+  EXPECT_FALSE(after.parts[1].yes);
+  EXPECT_EQ(after.parts[1].point, before.parts[1].point);
+  Everything other;
+  other.parts.resize(3);
+  EXPECT_THROW(archive.restore(other), std::runtime_error);
+}
+
+}  // namespace
+}  // namespace femsph
