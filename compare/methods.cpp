@@ -52,4 +52,10 @@ Method method_named(const std::string& name) {
   throw std::runtime_error(fmt::format("no method {}; expected {}{}", in_quotes(name), one_of(names), did_you_mean(name, names)));
 }
 
+const std::vector<std::pair<std::string, std::string>>& run_scalars() {
+  static const std::vector<std::pair<std::string, std::string>> list = {{"surface_weight_loss", "1"}, {"critical_step", "s"}, {"energy_drift", "1"},
+                                                                        {"momentum_drift", "1"}, {"angular_momentum_drift", "1"}, {"hourglass_share", "1"}};
+  return list;
+}
+
 }  // namespace femsph::compare

@@ -72,12 +72,6 @@ std::vector<std::pair<std::string, std::string>> derived_values(const March& mar
   return out;
 }
 
-const std::vector<std::pair<std::string, std::string>>& run_scalars() {
-  static const std::vector<std::pair<std::string, std::string>> list = {{"surface_weight_loss", "1"}, {"critical_step", "s"}, {"energy_drift", "1"},
-                                                                        {"momentum_drift", "1"}, {"angular_momentum_drift", "1"}, {"hourglass_share", "1"}};
-  return list;
-}
-
 namespace {
 
 /// What a march has, at its end or where it stopped.

@@ -66,6 +66,15 @@ class ContactPair {
     Point stretch{};
     Point pull{};  ///< N, what the spring pulled at the last step
   };
+  /// What a point's stand asks for. Points are looked at side by side; their blows are then dealt out in order.
+  struct Blow {
+    enum class Kind { none, press, overlap, too_deep } kind = Kind::none;
+    Stand at;
+    Point force{};       ///< N, on the point
+    double depth = 0;    ///< m
+    double stored = 0;   ///< J
+    double slip = 0;     ///< J, taken by friction since the last step
+  };
   /// Points of sides_[from] against the surface of the other side.
   struct Pass {
     int from;
@@ -73,6 +82,7 @@ class ContactPair {
     std::vector<Hold> holds;          ///< of every surface point
     std::vector<std::size_t> points;  ///< those near the other body, and for each its pieces: pieces[begin[k]] .. pieces[begin[k + 1] - 1]
     std::vector<int> begin, pieces;
+    std::vector<Blow> blows;          ///< of each of these points, now
   };
   struct Bodies {
     std::vector<MovingBody>& moving;
@@ -86,10 +96,11 @@ class ContactPair {
   Stand stand(Bodies bodies, const Pass& pass, int piece, const Point& x) const;
   /// The nearest piece that faces the point; false if none is near or the point is outside.
   bool choose(Bodies bodies, const Pass& pass, std::size_t k, Hold& hold, Stand& found) const;
-  void press(Bodies bodies, Pass& pass, std::size_t k, long step, double dt);
-  Point rub(Bodies bodies, const Pass& pass, std::size_t p, Hold& hold, const Stand& at, double k, double pressing, double dt);
+  Blow press(Bodies bodies, const Pass& pass, std::size_t k, Hold& hold, long step, double dt) const;
+  void rub(Bodies bodies, const Pass& pass, std::size_t p, Hold& hold, double k, double pressing, double dt, Blow& blow) const;
+  void release(Bodies bodies, const Pass& pass, std::size_t p, Hold& hold, double dt, Blow& blow) const;
+  void deal(Bodies bodies, const Pass& pass, std::size_t k, long step);
   void react(Bodies bodies, const Pass& pass, int piece, const Stand& at, const Point& x, const Point& force);
-  void release(Bodies bodies, const Pass& pass, std::size_t p, Hold& hold, double dt);
   [[noreturn]] void fail(const std::string& what, const Point& at) const;
 
   const Scene& scene_;

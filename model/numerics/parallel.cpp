@@ -1,5 +1,6 @@
 #include "model/numerics/parallel.hpp"
 
+#include <algorithm>
 #include <atomic>
 #include <exception>
 #include <memory>
@@ -19,6 +20,9 @@ int& thread_count() {
   static int n = 1;
   return n;
 }
+
+/// This thread works on a task: loops inside of it run on it alone.
+thread_local bool inside_task = false;
 
 /// Waits until `value` differs from `old`: watching closely for some microseconds, then asleep.
 unsigned wait_for_change(const std::atomic<unsigned>& value, unsigned old) {
@@ -62,12 +66,14 @@ class Pool {
   }
   /// The first exception of any thread is thrown again on the calling one.
   void guarded(int i) {
+    inside_task = true;
     try {
       (*task_)(i);
     } catch (...) {
       const std::lock_guard lock(failing_);
       if (!failure_) failure_ = std::current_exception();
     }
+    inside_task = false;
   }
   void work(int i) {
     flush_denormals();
@@ -101,7 +107,10 @@ void flush_denormals() {
 
 void run_on_threads(int n, const std::function<void(int)>& task) {
   static std::unique_ptr<Pool> pool;
-  if (n <= 1) return task(0);
+  if (n <= 1 || inside_task) {
+    for (int i = 0; i < std::max(n, 1); ++i) task(i);
+    return;
+  }
   if (!pool || pool->workers() != n - 1) pool = std::make_unique<Pool>(n - 1);
   pool->run(task);
 }

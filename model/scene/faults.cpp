@@ -10,6 +10,8 @@ namespace {
 std::vector<Fault> in_order(std::vector<Fault> faults) {
   std::stable_sort(faults.begin(), faults.end(),
                    [](const Fault& a, const Fault& b) { return a.line != b.line ? a.line < b.line : a.column < b.column; });
+  constexpr std::size_t most = 1000;  // more are not read by anyone
+  if (faults.size() > most) faults.erase(faults.begin() + most, faults.end());
   return faults;
 }
 
@@ -54,14 +56,19 @@ std::string in_quotes(std::string_view text) {
 }
 
 std::string one_of(const std::vector<std::string>& names) {
+  constexpr std::size_t most = 40;
   std::string all;
+  if (names.size() > most) {
+    for (std::size_t i = 0; i < most; ++i) all += in_quotes(names[i]) + ", ";
+    return fmt::format("{}.. (one of {})", all, names.size());
+  }
   for (std::size_t i = 0; i < names.size(); ++i) all += (i == 0 ? "" : i + 1 == names.size() ? " or " : ", ") + in_quotes(names[i]);
   return all;
 }
 
 std::string did_you_mean(std::string_view word, const std::vector<std::string>& names) {
-  constexpr std::size_t longest = 60;  // keeps the quadratic cost small for whatever bytes a file holds
-  if (word.size() > longest) return "";
+  constexpr std::size_t longest = 60, most = 1000;  // keep the cost small for whatever bytes a file holds
+  if (word.size() > longest || names.size() > most) return "";
   const std::string* best = nullptr;
   std::size_t least = std::max<std::size_t>(1, word.size() / 3) + 1;
   for (const std::string& name : names) {

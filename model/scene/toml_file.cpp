@@ -12,7 +12,7 @@
 namespace femsph {
 namespace {
 
-constexpr std::size_t largest_file = 1 << 20;  // bytes; scenes and studies are written by hand
+constexpr std::size_t largest_file = 1 << 18;  // bytes; scenes and studies are written by hand
 
 // toml++ bounds the depth of values in brackets, but not of dotted keys: a.a.a. ... nests one table a dot, and
 // destroying a deep tree of tables would overflow the stack. A key fits on one line. In a chain of keys every dot but the first

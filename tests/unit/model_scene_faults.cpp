@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include <sys/stat.h>
+
 #include <filesystem>
 #include <fstream>
 #include <random>
@@ -110,6 +112,15 @@ TEST(Faults, AFileThatIsNone) {
   EXPECT_EQ(message_of(folder + "bad"), folder + "bad: is a directory; expected a scene file (TOML)");
 }
 
+TEST(Faults, APipeIsNotWaitedFor) {
+  const std::string pipe = testing::TempDir() + "femsph_pipe.toml";
+  std::remove(pipe.c_str());
+  ASSERT_EQ(mkfifo(pipe.c_str(), 0600), 0);
+  EXPECT_EQ(message_of(pipe), pipe + ": is a pipe or a device; expected a scene file (TOML)");
+  EXPECT_EQ(message_of("/dev/zero"), "/dev/zero: is a pipe or a device; expected a scene file (TOML)");
+  std::remove(pipe.c_str());
+}
+
 TEST(Faults, SuggestionsFollowTheFourSlips) {
   const std::vector<std::string> names = {"young", "poisson", "density"};
   for (const char* slip : {"yong", "yooung", "yaung", "yuong"}) EXPECT_EQ(did_you_mean(slip, names), "; did you mean \"young\"?");
@@ -160,6 +171,20 @@ TEST(Totality, DamagedFilesGiveASceneOrAnInputError) {
       }
     }
     read_whatever(text);
+  }
+}
+
+// Thousands of bodies, and as many loads that name none of them: neither the messages nor the search for the nearest name may multiply.
+TEST(Totality, ManyFaultsOfManyNamesStaySmall) {
+  std::string text = "[model]\nplane = \"stress\"\n";
+  for (int i = 0; i < 6000; ++i) text += "[bodies.b" + std::to_string(i) + "]\n";
+  for (int i = 0; i < 6000; ++i) text += "[[loads]]\nbody = \"c\"\n";
+  try {
+    parse_scene(text, "many.toml");
+    FAIL();
+  } catch (const InputError& e) {
+    EXPECT_EQ(e.faults().size(), 1000u);
+    EXPECT_LT(std::string(e.what()).size(), 4'000'000u);
   }
 }
 

@@ -8,6 +8,7 @@
 
 #include <sys/stat.h>
 
+#include <atomic>
 #include <cstdio>
 #include <cstdlib>
 #include <fstream>
@@ -210,8 +211,7 @@ TEST(Child, HandsBackWhatItMadeOrNothing) {
   EXPECT_FALSE(in_child([]() -> std::string { throw std::runtime_error("no"); }, limits, result));
   EXPECT_FALSE(in_child(
       []() -> std::string {
-        for (volatile long k = 0;; k = k + 1) {
-        }
+        for (std::atomic<long> k = 0;;) ++k;
       },
       limits, result));
 }
