@@ -30,6 +30,7 @@ do for [s in scenes] {
       do for [m in list] { if (some(s, m)) { shown = shown." ".m } }
       index_of(m) = int(sum [i = 1:words(list)] (word(list, i) eq m ? i : 0))
 
+      if (kind eq "methods") { set key width -2 } else { set key width -9 }
       set output figure("work-".kind."-".s)
       set xlabel "CPU time of a run, s (in brackets: slope)"
       set ylabel "error, %"
