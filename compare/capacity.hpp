@@ -10,7 +10,7 @@ struct Size {
   double bytes = 0;  ///< at the peak: while particles or mesh are made, or fields are written
 };
 
-/// From the volumes of the shapes and the spacing alone, within some ten percent of what the program then takes.
+/// From the volumes of the shapes and the spacing alone: an estimate, made to be of the right size, not exact.
 Size estimated_size(const Scene& scene, const Method& method, const Resolution& resolution);
 
 /// Bytes that this process could still get: of the machine (/proc/meminfo) and of the control group that it runs in. Infinity if nothing says.

@@ -217,8 +217,9 @@ FEMSPH_INLINE Symmetric<T, dim> advance_law(const LawType& law, const Symmetric<
     // ask for the point after the next (beyond the end of the array a prefetch does nothing).
     constexpr int size = point_state_size<LawType, dim>;
     if constexpr (lanes_of<T> == lanes) {
-      const T* ahead = state + 2 * size;
-      asm("" : "+r"(ahead));  // hides from the compiler's warnings that it may point beyond the array
+      const T* ahead = state;
+      asm("" : "+r"(ahead));  // hides from the compiler's warnings that the next line may point beyond the array
+      ahead += 2 * size;
       for (int k = 0; k < size; ++k) __builtin_prefetch(ahead + k, 1);
     }
     Symmetric<T, dim> stress, before;
