@@ -99,6 +99,18 @@ void March::hold_means(MovingBody& body) {
 
 namespace {
 
+/// Entries of a vector cost a quarter of a particle or less: below this many a loop over them is not worth a fork.
+constexpr std::size_t entries_for_one_thread = 4 * serial_below;
+
+/// parallel_sum over the entries of a vector, to the same bits.
+template <class Body>
+double sum_of_entries(std::size_t n, Body&& body) {
+  if (n >= entries_for_one_thread) return parallel_sum(n, body);
+  double sum = 0;
+  for (std::size_t begin = 0; begin < n; begin += 4096) sum += body(begin, std::min(begin + 4096, n));
+  return sum;
+}
+
 /// One body's kick and drift. Mass-proportional damping is taken at the mean of the two half-step velocities:
 /// v+ = ((1 - c dt/2) v- + dt f/m) / (1 + c dt/2); what it takes is c dt m vbar^2 a component, what viscosity takes is -f_visc vbar dt.
 template <bool damped, bool viscous>
@@ -112,12 +124,14 @@ void advance(MovingBody& body, double dt, double rate, double& damping_loss, dou
   const double keep = (1 - 0.5 * rate * dt) / (1 + 0.5 * rate * dt), push = dt / (1 + 0.5 * rate * dt);
   const std::size_t n = body.u.size();
   if constexpr (!damped && !viscous) {
-    parallel_for(n, 512, [=](std::size_t begin, std::size_t end) {
+    const auto loop = [=](std::size_t begin, std::size_t end) {
       for (std::size_t i = begin; i < end; ++i) {
         v[i] += dt * w[i] * f[i];
         u[i] += dt * v[i];
       }
-    });
+    };
+    if (n < entries_for_one_thread) loop(0, n);
+    else parallel_for(n, 512, loop);
   } else {
     const auto loop = [=](std::size_t begin, std::size_t end, double& by_damping, double& by_viscosity) {
       double d = 0, q = 0;
@@ -135,7 +149,7 @@ void advance(MovingBody& body, double dt, double rate, double& damping_loss, dou
     };
     // Two sums in one pass: the second is kept per chunk as well, in chunk order.
     std::vector<double> q((n + 4095) / 4096, 0.0);
-    damping_loss += rate * dt * parallel_sum(n, [&](std::size_t begin, std::size_t end) {
+    damping_loss += rate * dt * sum_of_entries(n, [&](std::size_t begin, std::size_t end) {
       double by_damping = 0, by_viscosity = 0;
       loop(begin, end, by_damping, by_viscosity);
       q[begin / 4096] = by_viscosity;

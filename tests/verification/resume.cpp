@@ -287,7 +287,9 @@ TEST_F(Resume, ARunThatWasKilledGoesOnAsIfNothingHadBeen) {
         continue;
       }
       ASSERT_EQ(code, signal == SIGKILL ? -SIGKILL : 6) << read(folder / "log");
-      if (signal == SIGTERM) EXPECT_THAT(read(folder / "log"), HasSubstr("interrupted at step"));
+      if (signal == SIGTERM) {
+        EXPECT_THAT(read(folder / "log"), HasSubstr("interrupted at step"));
+      }
       ASSERT_TRUE(fs::exists(folder / "cut/checkpoint.h5"));
       ASSERT_EQ(run("resume " + (folder / "cut").string() + " --threads 1", folder / "log"), 0) << read(folder / "log");
       for (const auto& entry : fs::recursive_directory_iterator(folder / "cut"))  // what a SIGKILL in mid-write leaves
@@ -316,7 +318,9 @@ TEST_F(Resume, SeveralInterruptionsInOneRun) {
     code = wait_for(again);
     if (code == -SIGTERM) code = 6;  // it had not begun to march
   }
-  if (code != 0) ASSERT_EQ(run("resume " + (folder / "cut").string(), folder / "log"), 0) << read(folder / "log");
+  if (code != 0) {
+    ASSERT_EQ(run("resume " + (folder / "cut").string(), folder / "log"), 0) << read(folder / "log");
+  }
   expect_equal(folder / "whole", folder / "cut");
 }
 
