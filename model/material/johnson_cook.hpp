@@ -69,9 +69,9 @@ FEMSPH_INLINE Flow<T> johnson_cook_return(const LinearElastic& elastic, const Pl
     const T f = y.value - left, step = f / (stiffness + y.slope);
     const auto over = f > 0.0;
     high = select(over, x, high), low = select(over, low, x);
-    const T next = x - step, size = select(step > 0.0, step, -step);
+    const T next = x - step, off = select(over, f, -f);
     const auto inside = (next >= low) & (next <= high);
-    if (!any(yielding & (size > 1e-14 * most))) break;
+    if (!any(yielding & (off > 1e-13 * q))) break;  // by stress: the rate makes the slope so steep near x = 0 that small steps prove nothing
     x = select(inside, next, 0.5 * (low + high));
   }
   const T dp = select(yielding, x, T{}), take = select(yielding, stiffness * dp / q, T{});

@@ -15,8 +15,9 @@ FEMSPH_INLINE PackMask to_bits(Pack x) { return reinterpret_cast<PackMask>(x); }
 /// u = 2^k m with sqrt(1/2) <= m < sqrt(2); u normal and positive.
 FEMSPH_INLINE void split(Pack u, Pack& k, Pack& m) {
   constexpr long root_half = 0x3fe6a09e667f3bcd, one = 0x3ff0000000000000, fraction = 0x000fffffffffffff;
-  const PackMask bits = to_bits(u) + (one - root_half);
-  k = from_bits((bits >> 52) - 1023 + to_bits(broadcast<Pack>(round_by))) - round_by;
+  using Bits = unsigned long __attribute__((vector_size(sizeof(PackMask))));  // infinity's wrap around
+  const PackMask bits = reinterpret_cast<PackMask>(reinterpret_cast<Bits>(u) + static_cast<unsigned long>(one - root_half));
+  k = from_bits(((bits >> 52) - 1023) + to_bits(broadcast<Pack>(round_by))) - round_by;
   m = from_bits((bits & fraction) + root_half);
 }
 

@@ -97,8 +97,13 @@ TEST(Return, PlaneStressEndsAtTheRoot) {
           }
           const plastic::Flow<double> flow = plastic::projected_return(elastic, double(H), yield_stress, trial);
           const double p = double(low * q(low)) / (3 * elastic.mu);
+#ifdef __OPTIMIZE__
+          constexpr double round_off = 1e-13;
+#else
+          constexpr double round_off = 2e-13;  // without fused multiply-adds
+#endif
           // q is known to round-off of Y, and p = (q - Y) (3 G + ..): near the surface the error is that of q_trial - Y.
-          EXPECT_NEAR(flow.equivalent, p, 1e-13 * p + 3e-15 * yield_stress / elastic.mu) << "nu " << nu << " k " << k << " size " << size << " direction " << direction;
+          EXPECT_NEAR(flow.equivalent, p, round_off * p + 3e-15 * yield_stress / elastic.mu) << "nu " << nu << " k " << k << " size " << size << " direction " << direction;
           EXPECT_NEAR(von_mises(trial), double(q(low)), 1e-13 * double(q(low)));
         }
 }
