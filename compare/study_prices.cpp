@@ -73,8 +73,10 @@ void one_advice(Fields& fields, StudyReading& reading) {
     fields.fault("quantity", fmt::format("unknown quantity {}; expected {}{}", in_quotes(advice.quantity), one_of(known), did_you_mean(advice.quantity, known)));
   else if (quantity->reduce == Reduce::l2 || (!quantity->scene && study.scenes.size() > 1))
     fields.fault("quantity", fmt::format("{} has no limit of one scene; expected a quantity that names its scene, other than l2", in_quotes(advice.quantity)));
-  else
-    advice.scene = quantity->scene.value_or(study.scenes.begin()->first);
+  else if (quantity->scene)
+    advice.scene = *quantity->scene;
+  else if (!study.scenes.empty())  // none could be read: said where it is named
+    advice.scene = study.scenes.begin()->first;
   reading.study.advice.push_back(advice);
 }
 

@@ -164,6 +164,12 @@ TEST_F(StudyReader, CollectsItsNeighbours) {
   EXPECT_THROW(read_study(all), InputError);
 }
 
+// A study of no scene has none whose price or limit could be told.
+TEST_F(StudyReader, AdviceWithoutAScene) {
+  const std::string text = "title = \"x\"\n[[quantities]]\nname = \"tip\"\nprobe = \"tip\"\n[[advice]]\nquantity = \"tip\"\nerror = 1\n";
+  EXPECT_THAT(message(text), HasSubstr("the study runs nothing"));
+}
+
 TEST_F(StudyReader, AStudyOfNothingIsNone) { EXPECT_THAT(message("title = \"x\"\n"), HasSubstr("the study runs nothing")); }
 
 // The studies of this repository can be read, and their theory can speak of their scenes.
