@@ -63,7 +63,9 @@ std::vector<std::pair<std::string, std::string>> derived_values(const March& mar
   if (!march.contacts().empty())
     out.emplace_back("contact shortens the step", fmt::format("by {:.1f} %", 100 * (1 - march.critical_step() / march.critical_step_without_contact())));
   out.emplace_back("critical step", fmt::format("{:.6g} s", march.critical_step()));
-  out.emplace_back("step", fmt::format("{:.6g} s", march.dt()));
+  out.emplace_back("step", march.step_changes() > 0 ? fmt::format("{:.6g} s at first, {:.6g} s at least, {:.6g} s at last: changed {} times", march.price().dt,
+                                                                   march.smallest_step(), march.dt(), march.step_changes())
+                                                     : fmt::format("{:.6g} s{}", march.dt(), march.follows_deformation() ? ", less if the deformation asks for it" : ""));
   out.emplace_back("planned steps", fmt::format("{}{}", march.planned_steps(), march.scene().settling ? " at most, fewer once settled" : ""));
   out.emplace_back("memory", fmt::format("{:.3g} MB", double(march.price().bytes) / 1e6));
   std::string effects;

@@ -72,9 +72,9 @@ ExplicitFem::ExplicitFem(const Scene& scene, std::size_t body, const Options& op
       batches_(mesh_),
       layout_(interleaved(mesh_, batches_)),
       spacing_(shortest_edge(mesh_)),
-      locator_(mesh_, is_curved(*shape_) ? 0.2 : 0.0) {
+      locator_(mesh_, is_curved(*shape_) ? 0.2 : 0.0),
+      law_(scene.material_of(scene.bodies[body]).law(scene.plane)) {
   const Material& material = scene.material_of(scene.bodies[body]);
-  const Law law = material.law(scene.plane);
   mass_ = lumped_mass(mesh_, material.density, thickness_);
   std::vector<Point> nodes(mesh_.node_count());
   for (std::size_t i = 0; i < nodes.size(); ++i) nodes[i] = mesh_.node(i);
@@ -83,8 +83,8 @@ ExplicitFem::ExplicitFem(const Scene& scene, std::size_t body, const Options& op
   bars_.add_mass(mass_);
   bars_text_ = femsph::describe(rows, scene);
   plastic_ = material.plasticity.has_value();
-  wave_speed_ = std::visit([](const auto& l) { return l.wave_speed(); }, law);
-  loop_ = make_loop(element_, {&mesh_, &batches_, law, thickness_, options.hourglass, scene.large_motion, options.scalar_kernel});
+  wave_speed_ = std::visit([](const auto& l) { return l.wave_speed(); }, law_);
+  loop_ = make_loop(element_, {&mesh_, &batches_, law_, thickness_, options.hourglass, scene.large_motion, options.scalar_kernel});
 }
 
 std::string ExplicitFem::describe() const {

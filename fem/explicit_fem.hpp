@@ -31,6 +31,7 @@ class ExplicitFem : public Discretization {
   void stiffness(const double* x, double* y) const override;
   double strain_energy(const double* u) const override { return loop_->energies(u).strain + bars_.strain_energy(u); }
   std::optional<Trouble> trouble(const double* u) const override;
+  std::optional<Stiffening> stiffening(const double* u) const override;
   void state(Archive& archive) override { loop_->state(archive), bars_.state(archive); }
   std::vector<BarPiece> bars(const double* u) const override { return bars_.pieces(u); }
   double dissipated_energy(const double* u) const override { return bars_.dissipated_energy() + (plastic_ ? loop_->energies(u).plastic : 0.0); }
@@ -60,6 +61,9 @@ class ExplicitFem : public Discretization {
   std::vector<double> mass_;
   double spacing_, wave_speed_;
   Locator locator_;
+  std::size_t cell_of(std::size_t lane) const;
+  Point centre_now(std::size_t cell, const double* u) const;  ///< m, in the deformed body
+  Law law_;
   bool plastic_;  ///< the law has plastic strain and work
   std::unique_ptr<CellLoop> loop_;
   TrussBars bars_;

@@ -97,6 +97,19 @@ FEMSPH_INLINE T cofactors(const Tensor<T, dim>& J, Tensor<T, dim>& C) {
   }
 }
 
+/// G[d][c] = d x_c / d xi_d at the centre.
+template <class T, int dim>
+FEMSPH_INLINE Tensor<T, dim> centre_derivatives(const T* x) {
+  Tensor<T, dim> G;
+  for (int d = 0; d < dim; ++d)
+    for (int c = 0; c < dim; ++c) {
+      T sum{};
+      for (int a = 0; a < corners<dim>; ++a) sum += (a >> d & 1 ? 1.0 : -1.0) * x[a * dim + c];
+      G[d][c] = (1.0 / corners<dim>) * sum;
+    }
+  return G;
+}
+
 /// The derivatives of all components at the Gauss points of one cell.
 template <class T, int dim>
 struct GaussCell {

@@ -129,11 +129,15 @@ std::optional<Trouble> ParticleBody::inside_out(const AlignedVector<double>& det
   for (std::size_t i = 1; i < particles_.size(); ++i)
     if (!(det[i] >= det[worst])) worst = i;
   if (det[worst] > 0) return std::nullopt;
-  Point x = particles_.position[worst];
-  for (int c = 0; c < particles_.dim; ++c) x[c] += u[layout_.at(worst, c)];
   return Trouble{fmt::format("particle {} has turned inside out: its volume is {:.3g} times what it was", worst, det[worst]),
                  "the body is crushed or torn there, more than the first neighbours can tell: try a finer spacing, a gentler load, or sph-classic-share, "
-                 "whose neighbours follow", x};
+                 "whose neighbours follow", place_now(worst, u)};
+}
+
+Point ParticleBody::place_now(std::size_t particle, const double* u) const {
+  Point x = particles_.position[particle];
+  for (int c = 0; c < particles_.dim; ++c) x[c] += u[layout_.at(particle, c)];
+  return x;
 }
 
 const double* ParticleBody::fill_mirrored(const double* u) const {

@@ -43,6 +43,7 @@ class ParticleBody : public Discretization {
   const double* with_mirrored(const double* u) const {
     return particles_.mirrored.empty() ? u : fill_mirrored(u);
   }
+  Point place_now(std::size_t particle, const double* u) const;  ///< m, in the deformed body
   /// What to say if a particle's det F is not positive.
   std::optional<Trouble> inside_out(const AlignedVector<double>& det, const double* u) const;
   Options options_;

@@ -67,6 +67,7 @@ class TotalLagrangian final : public ParticleBody {
   std::vector<BarPiece> bars(const double* u) const override;
   void material_state(const double* given, std::span<const std::size_t> points, MaterialState& out) const override;
   std::optional<Trouble> trouble(const double* given) const override;
+  std::optional<Stiffening> stiffening(const double* given) const override;
 
   void state(Archive& archive) override {
     if constexpr (n_state > 0) archive("material", state_);

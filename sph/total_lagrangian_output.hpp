@@ -2,6 +2,7 @@
 // The rest of total_lagrangian.hpp: energies, bars, the states of material points, and where it ends.
 
 #include "model/material/spatial_state.hpp"
+#include "model/material/stiffening.hpp"
 #include "sph/total_lagrangian.hpp"
 
 namespace femsph::sph {
@@ -113,6 +114,29 @@ std::optional<Trouble> TotalLagrangian<dim, Stencils, Kinematics, LawType, corre
     }
   });
   return inside_out(det, u);
+}
+
+template <int dim, class Stencils, class Kinematics, class LawType, Correction correction>
+std::optional<Stiffening> TotalLagrangian<dim, Stencils, Kinematics, LawType, correction>::stiffening([[maybe_unused]] const double* given) const {
+  if constexpr (!Stiffens<LawType>) return std::nullopt;
+  else {
+    const double* u = with_mirrored(given);
+    AlignedVector<double> ratio(blocks() * lanes);
+    parallel_for(blocks() * lanes, lanes, [&](std::size_t begin, std::size_t end) {
+      for (std::size_t block = begin / lanes; block < end / lanes; ++block) {
+        Tensor<Pack, dim> F, inverse;
+        Pack L[dim];
+        gradient<false>(block, u, F, L);
+        for (int a = 0; a < dim; ++a) F[a][a] += 1.0;
+        const Pack J = invert(F, inverse);
+        store(&ratio[block * lanes], femsph::stiffening<Pack, dim>(law_, inverse, J));
+      }
+    });
+    std::size_t most = 0;
+    for (std::size_t i = 1; i < particles_.size(); ++i)
+      if (!(ratio[i] <= ratio[most])) most = i;
+    return Stiffening{ratio[most] == ratio[most] ? ratio[most] : std::numeric_limits<double>::infinity(), "particle " + std::to_string(most), place_now(most, u)};
+  }
 }
 
 }  // namespace femsph::sph

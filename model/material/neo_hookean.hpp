@@ -69,6 +69,11 @@ struct NeoHookean {
     return base.mu * (0.5 * shape - v.log_J) + 0.5 * lambda * v.log_J * v.log_J;
   }
 
+  /// d T / d U along the shortest principal stretch, mu (1 + g) + lambda (1 - ln J) g (in plane stress about that, with the plane's lambda).
+  template <class T>
+  FEMSPH_INLINE T stiffening(const T& g, const T& J) const {
+    return (base.mu * (1.0 + g) + base.lambda * (1.0 - natural_log(J)) * g) * (1 / (base.lambda + 2 * base.mu));
+  }
   const LinearElastic& elastic() const { return base; }
   double wave_speed() const { return base.wave_speed(); }
   /// Biot stress across the plane, lambda ln J at U_zz = 1; 0 in plane stress.

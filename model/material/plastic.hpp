@@ -11,6 +11,7 @@
 #include <optional>
 
 #include "model/material/return_mapping.hpp"
+#include "model/numerics/elementary.hpp"
 
 namespace femsph {
 
@@ -143,6 +144,13 @@ struct Plastic {
     return 0.5 * compliance<T, dim>(stress, normal, stress, normal);
   }
 
+  /// In large motion the moduli are those of the Kirchhoff stress tau by the logarithmic strain, whatever the stretch; along the shortest
+  /// principal stretch d P / d F = g (lambda + 2 mu - tau), with the mean stress K ln J for tau (what yields adds little to that).
+  template <class T>
+  FEMSPH_INLINE T stiffening(const T& g, const T& J) const {
+    const double bulk = base.lambda + 2.0 / 3 * base.mu;
+    return g * (1.0 + plastic::larger(-(bulk / (base.lambda + 2 * base.mu)) * natural_log(J), T{}));
+  }
   const LinearElastic& elastic() const { return base; }
   double wave_speed() const { return base.wave_speed(); }
   double thickness_stress(const Symmetric<double, 2>&, const Symmetric<double, 2>&, const double* history) const { return stress_across<double, 2>(history); }

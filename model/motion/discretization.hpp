@@ -59,6 +59,13 @@ struct Trouble {
   Point position{};    ///< m, in the deformed body
 };
 
+/// How much stiffer than undeformed a unit has become.
+struct Stiffening {
+  double ratio = 1;   ///< bound on the square of the highest frequency over that of the undeformed body; infinite in a unit turned inside out
+  std::string unit;   ///< "cell 12", "particle 7": the stiffest
+  Point position{};   ///< m, its place in the deformed body
+};
+
 /// sqrt(3/2 s:s) with s the deviator of the stress xx yy zz xy yz zx.
 double von_mises(const std::array<double, 6>& stress);
 
@@ -103,6 +110,9 @@ class Discretization {
   /// The worst unit at displacement u, if it is past what the method can follow: a folded cell, a particle without neighbours.
   /// Looked at now and then, in large motion only.
   virtual std::optional<Trouble> trouble(const double*) const { return std::nullopt; }
+  /// What displacement u makes of the critical step: nothing if the law does not stiffen as it deforms (or the kernel keeps the frequencies
+  /// bounded, as in classic SPH with moving neighbours). In large motion only.
+  virtual std::optional<Stiffening> stiffening(const double*) const { return std::nullopt; }
   /// The bars of the body at displacement u.
   virtual std::vector<BarPiece> bars(const double*) const { return {}; }
 

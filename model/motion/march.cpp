@@ -1,6 +1,6 @@
 // The flowchart of an explicit run (fig. 1 of the paper), for both solvers:
 //
-//   forces -> (sample, snapshot) -> kick and drift -> next step
+//   (step) -> forces -> (sample, snapshot) -> kick and drift -> next step
 //
 // with   v(n+1/2) = v(n-1/2) + dt M^-1 f(u(n)),   u(n+1) = u(n) + dt v(n+1/2)   (leap-frog, or central difference).
 
@@ -18,28 +18,28 @@ namespace femsph {
 
 void March::run(const MarchEvents& events) {
   flush_denormals();
-  const long planned = planned_steps();
-  const auto every = [&](int count) { return count > 0 ? std::max(1L, planned / count) : planned + 1; };
-  const long sample_every = every(scene_.samples), snapshot_every = every(scene_.snapshots);
-  watch_every_ = std::clamp(planned / 300, 25L, 1000L);
+  if (step_ == 0) {
+    if (follows_) follow_deformation();
+    plan();
+  }
   const double cpu = cpu_seconds() - price_.cpu, wall = wall_seconds() - price_.wall;  // of a run taken up again: and what it has cost before
   while (true) {
-    {
-      forces();
-      if (step_ == 0) start_velocities();
-      else count_driven_work();
-      if (kinetic_damping_) stop_at_kinetic_peak();
-      if (step_ % watch_every_ == 0 || step_ >= planned) watch(step_ >= planned);
-    }
-    const bool last = settled_ || step_ >= planned;
+    if (follows_) follow_deformation();
+    forces();
+    if (step_ == 0) start_velocities();
+    else count_driven_work();
+    if (next_dt_ != dt_) change_step();
+    if (kinetic_damping_) stop_at_kinetic_peak();
+    if (step_ % watch_every_ == 0 || step_ >= planned_) watch(step_ >= planned_);
+    const bool last = settled_ || step_ >= planned_;
     price_.steps = step_;
     price_.cpu = cpu_seconds() - cpu;
     price_.wall = wall_seconds() - wall;
-    if (events.sample && (last || step_ % sample_every == 0)) {
+    if (events.sample && (samples_.due(time(), dt_) || last)) {
       PhaseTimer timer(price_, "sampling");
       events.sample(*this);
     }
-    if (events.snapshot && (last || step_ % snapshot_every == 0)) {
+    if (events.snapshot && (snapshots_.due(time(), dt_) || last)) {
       PhaseTimer timer(price_, "fields");
       events.snapshot(*this);
     }
@@ -76,7 +76,8 @@ void March::forces() {
   }
   if (!ties_.empty()) {
     PhaseTimer timer(price_, "contact");
-    ties_.add_forces(bodies_, (1 - 0.5 * damping_rate_ * dt_) / (1 + 0.5 * damping_rate_ * dt_), dt_ / (1 + 0.5 * damping_rate_ * dt_), dt_, step_ == 0);
+    const auto [keep, push] = leap(0.5 * (dt_ + next_dt_));
+    ties_.add_forces(bodies_, keep, push, next_dt_, dt_, step_ == 0);
   }
   for (MovingBody& body : bodies_) hold_means(body);  // last: reactions answer to every other force
 }
@@ -162,7 +163,7 @@ void advance(MovingBody& body, double dt, double rate, double& damping_loss, dou
 }  // namespace
 
 void March::kick_and_drift() {
-  const double now = time(), next = double(step_ + 1) * dt_, done = external_work_;
+  const double now = time(), next = time_of(step_ + 1), done = external_work_;
   for (MovingBody& body : bodies_) {
     const bool damped = damping_rate_ > 0, viscous = !body.viscous.empty();
     if (damped && viscous) advance<true, true>(body, dt_, damping_rate_, damping_loss_, viscous_loss_);
@@ -212,7 +213,7 @@ void March::count_driven_work() {
 // interval before it and with v+ for the one after it: together vbar, and half of it at the ends.
 March::Kinetic March::kinetic() const {
   Kinetic k;
-  const double keep = (1 - 0.5 * damping_rate_ * dt_) / (1 + 0.5 * damping_rate_ * dt_), push = dt_ / (1 + 0.5 * damping_rate_ * dt_);
+  const auto [keep, push] = leap(dt_);
   for (const MovingBody& body : bodies_) {
     const bool viscous = !body.viscous.empty();
     const auto sum = [&](auto&& part) {

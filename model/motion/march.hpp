@@ -96,9 +96,12 @@ class March {
   /// N, of each contact's first body on its second, now, in the order of the scene.
   std::vector<Point> contact_forces() const;
   long step() const { return step_; }
-  double time() const { return double(step_) * dt_; }
+  double time() const { return time_of(step_); }
   double dt() const { return dt_; }
-  double critical_step() const { return critical_; }
+  double smallest_step() const { return smallest_step_; }  ///< s, so far
+  long step_changes() const { return step_changes_; }
+  bool follows_deformation() const { return follows_; }    ///< the step does
+  double critical_step() const { return critical_; }  ///< of the undeformed bodies
   double critical_step_without_contact() const { return critical_alone_; }
   long planned_steps() const;
   bool settled() const { return settled_; }
@@ -130,6 +133,15 @@ class March {
   void forces();            ///< gradient, law, divergence of every body; then loads and gravity
   void drive(MovingBody& body, double middle);  ///< moves the driven supports by the step about the time `middle`
   void count_driven_work(); ///< half a step's work of the reactions there, at the forces of now
+  /// The leap-frog over a time tau, damped: v+ = keep v- + push f/m.
+  struct Leap {
+    double keep, push;
+  };
+  double time_of(long step) const { return since_time_ + double(step - since_step_) * dt_; }
+  Leap leap(double tau) const { return {(1 - 0.5 * damping_rate_ * tau) / (1 + 0.5 * damping_rate_ * tau), tau / (1 + 0.5 * damping_rate_ * tau)}; }
+  void plan();              ///< when to sample, look and end
+  void follow_deformation();  ///< march_step.cpp: is the step still below the limit? what should the next one be?
+  void change_step();         ///< from dt_ to next_dt_, at a whole step whose forces are known
   void kick_and_drift();    ///< v += dt f/m, u += dt v, with whichever damping is on
   void move_rigid_bodies();
   void watch(bool last);    ///< now and then: is it still sound, has it settled, how strong should the damping be
@@ -157,6 +169,23 @@ class March {
   std::vector<ContactPair> contacts_;
   Ties ties_;
   double critical_ = 0, critical_alone_ = 0, dt_ = 0;
+  // What the deformation makes of the step; see march_step.cpp.
+  bool follows_ = false, given_step_ = false;
+  double safety_ = 0.9, critical_now_ = 0, next_dt_ = 0, smallest_step_ = 0;
+  double since_time_ = 0, seen_share_ = 1;  ///< time and step of the last change; what the last estimate was
+  long since_step_ = 0, step_changes_ = 0, seen_step_ = 0, next_estimate_ = 0;
+  std::size_t touching_ = 0;
+  /// Something done now and then.
+  struct Rhythm {
+    double interval = 0, next = 0;  ///< s
+    bool due(double time, double dt) {
+      if (time < next - 0.5 * dt) return false;
+      next += interval;
+      return true;
+    }
+  };
+  Rhythm samples_, snapshots_;
+  long planned_ = 1;
   double damping_rate_ = 0;      ///< c, 1/s
   bool adaptive_damping_ = false, kinetic_damping_ = false, settled_ = false;
   long step_ = 0, watch_every_ = 1;

@@ -57,8 +57,8 @@ void March::find_critical_step() {
 }
 
 void March::move_rigid_bodies() {
-  const double keep = (1 - 0.5 * damping_rate_ * dt_) / (1 + 0.5 * damping_rate_ * dt_), push = dt_ / (1 + 0.5 * damping_rate_ * dt_);
-  const double now = time(), next = double(step_ + 1) * dt_;
+  const auto [keep, push] = leap(dt_);
+  const double now = time(), next = time_of(step_ + 1);
   for (RigidBody& body : rigid_) {
     const double before = body.product(keep, push, 1, 2);  // v-.v- + 2 v-.v+
     body.kick(keep, push);

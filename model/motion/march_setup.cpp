@@ -33,7 +33,11 @@ March::March(const Scene& scene, std::vector<std::unique_ptr<Discretization>> bo
   place_rigid_bodies_and_contacts();
   find_critical_step();
   if (!std::isfinite(critical_)) throw MotionError("nothing in this scene can move: every displacement is held, or no body has stiffness");
-  dt_ = options.step.value_or(options.safety * critical_);
+  dt_ = next_dt_ = smallest_step_ = options.step.value_or(options.safety * critical_);
+  critical_now_ = critical_;
+  safety_ = options.safety;
+  given_step_ = options.step.has_value();
+  follows_ = scene.large_motion && std::any_of(bodies_.begin(), bodies_.end(), [](const MovingBody& b) { return b.discretization->stiffening(b.u.data()).has_value(); });
   price_.dt = dt_;
   if (dt_ > critical_)
     throw MotionError(fmt::format("the step {:.4g} s is over the limit: the largest stable step is {:.4g} s; march with --safety 0.9 instead", dt_, critical_));
@@ -153,7 +157,7 @@ void March::place_mean_support(MovingBody& body, const Support& support, const s
 
 /// The leap-frog's first velocity belongs to half a step before the start, such that the mean of v(-1/2) and v(+1/2) is v(0).
 void March::start_velocities() {
-  const double keep = (1 - 0.5 * damping_rate_ * dt_) / (1 + 0.5 * damping_rate_ * dt_), push = dt_ / (1 + 0.5 * damping_rate_ * dt_);
+  const auto [keep, push] = leap(dt_);
   for (MovingBody& body : bodies_) {
     const Layout& at = body.discretization->layout();
     for (const InitialVelocity& start : scene_.initial_velocities)
@@ -194,7 +198,7 @@ void March::start_velocities() {
   start_viscosity_ = k.viscosity;
 }
 
-long March::planned_steps() const { return std::max(1L, std::lround(std::ceil(scene_.duration / dt_ - 1e-9))); }
+long March::planned_steps() const { return since_step_ + std::max(1L, std::lround(std::ceil((scene_.duration - since_time_) / dt_ - 1e-9))); }
 
 /// Internal force of each point: what the discretization gave, before loads and gravity were added.
 template <class Take>

@@ -7,6 +7,27 @@ namespace femsph {
 void March::state(Archive& archive) {
   archive("step", step_);
   archive("dt", dt_);
+  archive.below("step control", [&] {
+    archive("critical", critical_now_);
+    archive("next", next_dt_);
+    archive("smallest", smallest_step_);
+    archive("since_time", since_time_);
+    archive("since_step", since_step_);
+    archive("changes", step_changes_);
+    archive("seen_share", seen_share_);
+    archive("seen_step", seen_step_);
+    archive("next_estimate", next_estimate_);
+    archive("touching", touching_);
+  });
+  archive.below("plan", [&] {
+    archive("steps", planned_);
+    archive("watch_every", watch_every_);
+    for (const auto& [name, rhythm] : {std::pair{"samples", &samples_}, std::pair{"snapshots", &snapshots_}})
+      archive.below(name, [&, r = rhythm] {
+        archive("next", r->next);
+        archive("interval", r->interval);
+      });
+  });
   archive("settled", settled_);
   archive("damping_rate", damping_rate_);
   archive("still_since", still_since_);

@@ -59,7 +59,7 @@ void March::watch(bool last) {
 /// What a sound march can hold as kinetic energy at a half step, or as stored energy: in the leap-frog a mode of frequency omega and energy E
 /// reaches E / (1 - (omega dt / 2)^2) of either, and the sum of all E is what has been supplied.
 double March::allowance() const {
-  const double share = dt_ / critical_;
+  const double share = dt_ / critical_now_;
   return (1 + tolerance) * (initial_energy_ + external_passed_ + created_) / std::max(0.05, 1 - share * share) + 1e-12;
 }
 
@@ -83,7 +83,7 @@ void March::look_at_energy(const Ledger& l) {
   const double omega = frequency_of_motion();
   if (omega * dt_ > 1.95)
     fail(Stopped::Watch::step, place, fmt::format("{}; what grows has a frequency of {:.4g} rad/s, which no step above {:.4g} s can follow, and the step is {:.4g} s", grown, omega, 2 / omega, dt_),
-         fmt::format("the deformed body is stiffer than at the start: try --safety {:.2g}", 0.8 * 2 / omega / critical_));
+         fmt::format("the deformed body is stiffer than at the start: try --safety {:.2g}", 0.8 * 2 / omega / critical_now_));
   fail(Stopped::Watch::energy, place, grown, "the march or the discretization is unstable there: try a smaller --safety, a finer spacing or another method");
 }
 

@@ -121,7 +121,7 @@ std::vector<Point> Ties::solve(const std::vector<Frame>& frames, const std::vect
   return l;
 }
 
-void Ties::add_forces(std::vector<MovingBody>& bodies, double keep, double push, double dt, bool first) {
+void Ties::add_forces(std::vector<MovingBody>& bodies, double keep, double push, double dt, double step_before, bool first) {
   const std::vector<Frame> frames = this->frames(bodies);
   const std::vector<Point> u = gather(bodies, &MovingBody::u), v = gather(bodies, &MovingBody::v);
   // What the step would do without ties: (g / dt + keep G v) / push + G M^-1 f.
@@ -150,7 +150,7 @@ void Ties::add_forces(std::vector<MovingBody>& bodies, double keep, double push,
     for (int c = 0; c < dim_; ++c) body.f[body.discretization->layout().at(nodes_[k].point, c)] += force_[k][c];
     work += femsph::dot(v[k], before[k] + force_[k]);
   }
-  if (!first) taken_ -= 0.5 * dt * work;
+  if (!first) taken_ -= 0.5 * step_before * work;
   for (Bond& bond : bonds_) {
     Point sum{};
     for (std::size_t k = bond.begin; k < bond.end; ++k) sum = sum + l[k];

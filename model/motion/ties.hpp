@@ -26,8 +26,9 @@ class Ties {
   Ties(const Scene& scene, const std::vector<MovingBody>& bodies);
 
   bool empty() const { return bonds_.empty(); }
-  /// Adds the forces that end the step with g = 0, last of all forces. `first`: nothing has moved yet, and velocities are not known.
-  void add_forces(std::vector<MovingBody>& bodies, double keep, double push, double dt, bool first);
+  /// Adds the forces that end the step dt with g = 0, last of all forces; `before` is the step that led here. `first`: nothing has moved
+  /// yet, and velocities are not known.
+  void add_forces(std::vector<MovingBody>& bodies, double keep, double push, double dt, double before, bool first);
   /// What bodies lose that start at different speeds: impulses that make G v = 0.
   void match_velocities(std::vector<MovingBody>& bodies) const;
 

@@ -54,4 +54,29 @@ FEMSPH_INLINE T contract(const Symmetric<T, dim>& a, const Symmetric<T, dim>& b)
   return diagonal + 2.0 * shear;
 }
 
+template <class T, int dim>
+FEMSPH_INLINE T determinant(const Tensor<T, dim>& M) {
+  if constexpr (dim == 2) return M[0][0] * M[1][1] - M[0][1] * M[1][0];
+  else
+    return M[0][0] * (M[1][1] * M[2][2] - M[1][2] * M[2][1]) + M[0][1] * (M[1][2] * M[2][0] - M[1][0] * M[2][2]) +
+           M[0][2] * (M[1][0] * M[2][1] - M[1][1] * M[2][0]);
+}
+
+/// The inverse; returns the determinant.
+template <class T, int dim>
+FEMSPH_INLINE T invert(const Tensor<T, dim>& M, Tensor<T, dim>& inverse) {
+  const T det = determinant(M), r = 1.0 / det;
+  if constexpr (dim == 2) {
+    inverse[0][0] = M[1][1] * r, inverse[1][1] = M[0][0] * r;
+    inverse[0][1] = -M[0][1] * r, inverse[1][0] = -M[1][0] * r;
+  } else {
+    for (int i = 0; i < 3; ++i)
+      for (int j = 0; j < 3; ++j) {
+        const int i1 = (i + 1) % 3, i2 = (i + 2) % 3, j1 = (j + 1) % 3, j2 = (j + 2) % 3;
+        inverse[j][i] = (M[i1][j1] * M[i2][j2] - M[i1][j2] * M[i2][j1]) * r;
+      }
+  }
+  return det;
+}
+
 }  // namespace femsph

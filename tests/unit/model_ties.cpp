@@ -59,7 +59,7 @@ TEST(Ties, SolidMotionNeedsNoForce) {
     Tower tower(gap);
     Ties ties(tower.scene, tower.bodies);
     tower.turn(1.1);
-    ties.add_forces(tower.bodies, 1, 1e-3, 1e-3, true);
+    ties.add_forces(tower.bodies, 1, 1e-3, 1e-3, 1e-3, true);
     for (const MovingBody& body : tower.bodies)
       for (const double f : body.f) EXPECT_NEAR(f, 0, 1e-9);  // round-off of g, 1e-16 m, times m / dt^2 of 0.01 / 1e-6
   }
@@ -78,7 +78,7 @@ TEST(Ties, HoldAtTheEndOfTheStepAndKeepMomentum) {
       for (std::size_t i = 0; i < body.f.size(); ++i) body.f[i] = jitter(random), body.v[i] = 1e-3 * jitter(random);
     std::vector<AlignedVector<double>> before{tower.bodies[0].f, tower.bodies[1].f};
     const double dt = 1e-3;
-    ties.add_forces(tower.bodies, 1, dt, dt, false);
+    ties.add_forces(tower.bodies, 1, dt, dt, dt, false);
     Point sum{}, moment{};
     double size = 0;
     for (std::size_t b = 0; b < 2; ++b)
