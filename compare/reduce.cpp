@@ -228,7 +228,7 @@ Reduced reduce(const QuantitySpec& quantity, const RunResult& result, const Scen
   if (of_time || quantity.reduce == Reduce::integral) value /= quantity.observed.unit.factor;
   if (!std::isfinite(value)) throw std::runtime_error(fmt::format("{} is not a finite number", quantity.name));
 
-  Reduced reduced{signed_as(value, quantity.sign), {}, {}, {}, {}};
+  Reduced reduced{signed_as(value, quantity.sign) + quantity.offset, {}, {}, {}, {}};
   if (quantity.theory) {
     const double exact = theory_named(*quantity.theory).value(scene, place_of(quantity, scene), 0) / quantity.observed.unit.factor;
     reduced.theory = signed_as(exact, quantity.sign);

@@ -50,6 +50,7 @@ struct QuantitySpec {
   Observed along;                                ///< excess: the equivalent plastic strain p
   std::optional<std::array<double, 2>> window;  ///< s: the part of a history that `reduce` looks at
   SignRule sign = SignRule::as_is;    ///< how value, theory and limit are shown
+  double offset = 0;                  ///< added to the value, in the unit and sign of the table: a length is the first one plus a displacement
   std::optional<std::string> theory;  ///< name of a theory value
   std::optional<double> reference;    ///< in its place: a number, in the unit and sign of the table
   std::optional<std::string> scene;   ///< only of runs of that scene

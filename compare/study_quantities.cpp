@@ -171,10 +171,10 @@ std::optional<std::string> read_scene_name(Fields& fields, const Study& study) {
   return {};
 }
 
-/// A number to compare with, such as reference = "25.18 mm", or a plain number where the unit is 1 or %.
-std::optional<double> read_reference(Fields& fields, const Unit& unit) {
-  if (unit.name == "1" || unit.name == "%" || unit.name == "1e-6") return fields.number("reference", Need::optional, fmt::format("a number in the unit of the quantity, {}", unit.name));
-  return fields.quantity("reference", Need::optional, Dimension{unit.name.c_str(), "a number with the unit of the quantity", unit.name.c_str()});
+/// A number in the unit of the table, such as reference = "25.18 mm", or a plain number where the unit is 1 or %.
+std::optional<double> read_in_unit(Fields& fields, const char* key, const Unit& unit) {
+  if (unit.name == "1" || unit.name == "%" || unit.name == "1e-6") return fields.number(key, Need::optional, fmt::format("a number in the unit of the quantity, {}", unit.name));
+  return fields.quantity(key, Need::optional, Dimension{unit.name.c_str(), "a number with the unit of the quantity", unit.name.c_str()});
 }
 
 void one_quantity(Fields& fields, StudyReading& reading) {
@@ -194,7 +194,12 @@ void one_quantity(Fields& fields, StudyReading& reading) {
   }
   quantity.sign = fields.choice<SignRule>("sign", Need::optional, signs).value_or(SignRule::as_is);
   quantity.theory = read_theory(fields, quantity.scene, reading.study);
-  quantity.reference = read_reference(fields, quantity.observed.unit);
+  quantity.reference = read_in_unit(fields, "reference", quantity.observed.unit);
+  if (const auto offset = read_in_unit(fields, "offset", quantity.observed.unit)) {
+    quantity.offset = *offset;
+    if (quantity.theory || reading.study.limit || !reading.study.limits.empty())
+      fields.fault("offset", "\"offset\" moves the value away from theory and limit; expected a quantity with a \"reference\" or none");
+  }
   if (quantity.theory && quantity.reference) fields.fault("reference", "both \"theory\" and \"reference\"; expected one of them");
   if (const auto window = fields.quantities("window", Need::optional, dimension::time)) {
     if (window->size() == 2 && (*window)[0] < (*window)[1]) quantity.window = {(*window)[0], (*window)[1]};

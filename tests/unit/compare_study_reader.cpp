@@ -140,6 +140,15 @@ TEST_F(StudyReader, SlipsInQuantitiesAndSeries) {
   EXPECT_THAT(message(with(good, "kind = \"history\"", "kind = \"profile\"")), HasSubstr("\"kind\" does not fit"));
 }
 
+TEST_F(StudyReader, AnOffsetHasTheUnitOfTheTable) {
+  const auto moved = [&](const std::string& key) { return with(good, "sign = \"reversed\"", key); };
+  EXPECT_THAT(message(moved("offset = \"1 MPa\"")), HasSubstr("\"offset\": "));
+  EXPECT_THAT(message(moved("offset = \"1 cm\"")), HasSubstr("\"offset\" moves the value away from theory and limit"));
+  std::string text = with(moved("offset = \"1 cm\""), "theory = \"cantilever_tip\"\n[[quantities]]", "reference = \"7 mm\"\n[[quantities]]");
+  text = with(text, "[limit]\ndivisions = \"40x4\"\ndegree = 2\n", "");
+  EXPECT_DOUBLE_EQ(read(text).quantities[0].offset, 10);  // mm
+}
+
 // A filter that no planned run fits is found before the runs, even if each of its words exists.
 TEST_F(StudyReader, SlipsInPaperAndClaims) {
   EXPECT_THAT(message(with(good, "value = \"0.4765 cm\"", "value = \"0.4765 MPa\"")), HasSubstr("\"value\": "));

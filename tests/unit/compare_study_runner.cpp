@@ -229,6 +229,21 @@ TEST(Reduce, FrequencyOfAnUndampedTip) {
   EXPECT_NEAR(*reduced.error_percent, 0, 0.1);
 }
 
+// A length is the first one plus a displacement, after the sign rule; the error is that of the length.
+TEST(Reduce, AnOffsetIsAddedToTheValue) {
+  RunResult r = result(1, 1, 0.01);
+  for (auto& column : r.history.columns) column.values.assign(2, -0.01);
+  QuantitySpec quantity;
+  quantity.name = "length";
+  quantity.observed = {"tip", "", "", "", "y", {"mm", 1e-3}};
+  quantity.offset = 32;
+  quantity.reference = 20;
+  EXPECT_NEAR(reduce(quantity, r, cantilever(), nullptr).value, 22, 1e-12);
+  EXPECT_NEAR(*reduce(quantity, r, cantilever(), nullptr).error_percent, 10, 1e-9);
+  quantity.sign = SignRule::reversed;
+  EXPECT_NEAR(reduce(quantity, r, cantilever(), nullptr).value, 42, 1e-12);
+}
+
 // gnuplot itself may be missing; either way the reason is one message.
 TEST(Figures, AFailingScriptIsOneClearMessage) {
   const Folder folder("figures");
