@@ -66,6 +66,7 @@ void ContactPair::state(Archive& archive) {
   archive("next_search", next_search_);
   archive("friction_loss", loss_);
   archive("deepest", deepest_);
+  archive("touching", touching_);  // the next step looks whether anything did
   for (std::size_t s = 0; s < sides_.size(); ++s)
     for (Surface& surface : sides_[s].surface)
       archive.below("side_" + std::to_string(s), [&] {
