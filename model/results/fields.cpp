@@ -65,6 +65,15 @@ struct CellFields {
   std::vector<double> stress, strain, equivalent, plastic;  ///< plastic: empty when the law has none
 };
 
+/// a b + c as the compiler contracts such a sum where the processor can: said outright, since how it unrolls the loop around must not change the bits.
+double multiply_add(double a, double b, double c) {
+#ifdef __FMA__
+  return std::fma(a, b, c);
+#else
+  return a * b + c;
+#endif
+}
+
 /// Part of its cell's volume that each material point stands for; empty when a cell has one. Nothing deformed enters: once and for all.
 std::vector<double> shares_of(const Discretization& d, std::size_t cells) {
   const std::size_t k = cells ? d.material_points() / cells : 0;
@@ -112,8 +121,8 @@ class Means {
       const std::size_t q = e * k + n;
       const double share = shares ? shares[n] : 1.0;
       for (int c = 0; c < 9; ++c) {
-        stress[c] += share * state_.stress[q][full[c]];
-        strain[c] += share * state_.strain[q][full[c]];
+        stress[c] = multiply_add(share, state_.stress[q][full[c]], stress[c]);
+        strain[c] = multiply_add(share, state_.strain[q][full[c]], strain[c]);
       }
       equivalent += share * von_mises(state_.stress[q]);
       if (!state_.plastic.empty()) plastic += share * state_.plastic[q];
