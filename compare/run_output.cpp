@@ -58,7 +58,7 @@ void RunOutput::snapshot() {
   if (!fields_) return;
   for (std::size_t b = 0; b < ids_.size(); ++b)
     fields_->snapshot(ids_[b], march_.step(), march_.time(), march_.bodies()[b].u.data(), march_.bodies()[b].v.data());
-  fields_->commit();
+  fields_->commit_later();
 }
 
 void RunOutput::state(Archive& archive) {
@@ -93,6 +93,10 @@ void RunOutput::between() {
 }
 
 void RunOutput::finish(const std::string& outcome, bool whole) {
+  if (fields_) {
+    PhaseTimer timer(march_.price(), "fields");
+    fields_->settle();
+  }
   write_csv(recorder_.history(), folder_ + "/history.csv");
   write_hdf5(recorder_.history(), folder_ + "/history.h5");
   if (whole) {

@@ -2,7 +2,6 @@
 // The loop over cells, with its kernel chosen once: element x kinematics x law x dimension x scalar type.
 
 #include <cstddef>
-#include <functional>
 #include <memory>
 
 #include "fem/batches.hpp"
@@ -33,8 +32,8 @@ class CellLoop {
   /// y += K x of the undeformed elastic body.
   virtual void add_stiffness(const double* x, double* y) const = 0;
   virtual Energies energies(const double* u) const = 0;
-  /// The material points of cells begin .. end - 1.
-  virtual void samples(const double* u, std::size_t begin, std::size_t end, const std::function<void(const Sample&)>& take) const = 0;
+  /// The material points of cells begin .. end - 1, cell by cell, into `out`.
+  virtual void samples(const double* u, std::size_t begin, std::size_t end, Sample* out) const = 0;
   virtual int points_per_cell() const = 0;
   virtual bool equal_volumes() const = 0;
   virtual std::size_t bytes() const = 0;

@@ -180,8 +180,8 @@ class Loop final : public StiffnessLoop<ElementType, dim, T> {
     return sum;
   }
 
-  void samples(const double* u, std::size_t begin, std::size_t end, const std::function<void(const Sample&)>& take) const override {
-    SampleObserver<Kinematics, LawType, dim> observer{material_.law, take};
+  void samples(const double* u, std::size_t begin, std::size_t end, Sample* out) const override {
+    SampleObserver<Kinematics, LawType, dim> observer{material_.law, out};
     observe(u, begin, end, observer);
   }
   std::size_t bytes() const override { return Base::bytes() + state_.capacity() * sizeof(double); }

@@ -57,6 +57,8 @@ class ExplicitFem : public Discretization {
   Batches batches_;
 
  private:
+  void clear(double* f) const;
+
   Layout layout_;
   std::vector<double> mass_;
   double spacing_, wave_speed_;

@@ -25,7 +25,7 @@ struct EnergyObserver {
 template <class Kinematics, class LawType, int dim>
 struct SampleObserver {
   const LawType& law;
-  const std::function<void(const Sample&)>& take;
+  Sample* out;  ///< of the next point
   std::size_t first = 0;
   Tensor<double, dim> axes{};
 
@@ -76,7 +76,7 @@ struct SampleObserver {
       sample.strain[2] = normal.strain;
     }
     if constexpr (!LawType::path_independent) sample.plastic = law.plastic_strain(history);
-    take(sample);
+    *out++ = sample;
   }
 };
 

@@ -60,11 +60,15 @@ class GradientOperator {
       }
     return out;
   }
-  /// Force per volume of a block; row r, column c of Q is component r * dim + c of the field that starts at q.
+  /// Where Q, which the divergence sums, keeps its components.
+  using Tensors = typename Stencils::Tensors;
+  /// Force per volume of a block, whose part of Q starts at q.
   FEMSPH_INLINE void divergence(std::size_t block, const double* q, std::size_t stride, Pack (&force)[dim]) const {
     (adjoint_ ? *adjoint_ : stencils_).divergence(block, q, stride, force);
+    Pack own[dim * dim];
+    Tensors::load(q, stride, own);
     for (int r = 0; r < dim; ++r)
-      for (int c = 0; c < dim; ++c) force[r] += load<Pack>(q + (r * dim + c) * stride) * load<Pack>(&s_[(block * dim + c) * lanes]);
+      for (int c = 0; c < dim; ++c) force[r] += own[r * dim + c] * load<Pack>(&s_[(block * dim + c) * lanes]);
   }
 
  private:

@@ -4,8 +4,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 #include <random>
 #include <stdexcept>
+
+#include "model/numerics/simd.hpp"
 
 namespace femsph::sph {
 
@@ -50,6 +53,28 @@ void give_volumes(Particles& p, const Shape& shape, MassRule rule, const std::ve
   if (rule != MassRule::trapezoid) return;
   for (std::size_t i = 0; i < p.size(); ++i)
     if (!deep_inside(p.lattice, p.lattice.place[i], p.dim)) p.volume[i] = p.cell * fraction_inside(shape, p.position[i], p.lattice.spacing, planes);
+}
+
+/// Numbers the particles slab by slab, a slab being eight of them thick along x; within it rows along x come first as before. Lists reach their
+/// neighbours one by one: those in the same slab or the one before are still in the processor's nearer caches, those of a whole long layer are not.
+/// And the eight particles of a block go on looking alike, so that their lists are of one length.
+void number_by_slabs(Particles& p) {
+  Lattice& lattice = p.lattice;
+  std::vector<std::size_t> order(p.size());
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  std::sort(order.begin(), order.end(), [&](std::size_t i, std::size_t j) {
+    const auto &a = lattice.place[i], &b = lattice.place[j];
+    return std::array{a[0] / lanes, a[2], a[1], a[0]} < std::array{b[0] / lanes, b[2], b[1], b[0]};
+  });
+  const auto reorder = [&](auto& values) {
+    auto old = values;
+    for (std::size_t i = 0; i < order.size(); ++i) values[i] = old[order[i]];
+  };
+  reorder(p.position), reorder(p.volume), reorder(p.part), reorder(lattice.place);
+  for (std::size_t i = 0; i < order.size(); ++i) {
+    const auto& at = lattice.place[i];
+    lattice.at[std::size_t(at[0]) + std::size_t(lattice.count[0]) * (std::size_t(at[1]) + std::size_t(lattice.count[1]) * std::size_t(at[2]))] = int(i);
+  }
 }
 
 }  // namespace
@@ -99,6 +124,7 @@ Particles fill(const Shape& shape, const Options& options, const std::vector<Mir
         const double move = share(random) * lattice.spacing[a];
         if (deep_inside(lattice, lattice.place[i], p.dim)) p.position[i][a] += move;
       }
+    number_by_slabs(p);
   }
   return p;
 }

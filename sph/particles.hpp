@@ -1,5 +1,5 @@
 #pragma once
-// A body filled with particles: a lattice that starts on the body's surface, rows along x first, so that neighbours are near in memory.
+// A body filled with particles: a lattice that starts on the body's surface, rows along x first, so that neighbours are near in memory; jittered: in slabs (number_by_slabs).
 
 #include <array>
 #include <vector>

@@ -3,14 +3,17 @@
 //   LatticeStencils  eight consecutive particles share one list of slots (offset, w, lane mask); blocks with equal lists share one
 //                    descriptor, so a whole lattice is described by a few dozen of them and neighbours are contiguous loads.
 //   ListStencils     eight particles, their neighbours side by side (SELL-8), gathered: for particles anywhere.
-// A field is kept as one row per component, `stride` apart; particle i of a field sits at `first + i`.
+// A field is kept as one row per component, `stride` apart; particle i of a field sits at `first + i`. Of Q, which the divergence sums, the packing
+// says itself where component k = r dim + c of particle i is: TensorRows, or TensorRecords where neighbours are anywhere in memory.
 
 #include <cstdint>
+#include <type_traits>
 #include <vector>
 
 #include "model/numerics/array.hpp"
 #include "model/numerics/simd.hpp"
 #include "model/numerics/tensor.hpp"
+#include "sph/particle_records.hpp"
 #include "sph/rows.hpp"
 
 namespace femsph::sph {
@@ -27,8 +30,51 @@ FEMSPH_INLINE Pack masked(unsigned mask, double x) {
 }
 
 template <int dim>
+struct TensorRows {
+  static constexpr int size = dim * dim;
+  static std::size_t at(std::size_t i, int k, std::size_t stride) { return i + std::size_t(k) * stride; }
+  /// Of the eight particles that start at q.
+  FEMSPH_INLINE static void store(double* q, std::size_t stride, const Pack (&Q)[size]) {
+    for (int k = 0; k < size; ++k) femsph::store(q + std::size_t(k) * stride, Q[k]);
+  }
+  FEMSPH_INLINE static void load(const double* q, std::size_t stride, Pack (&Q)[size]) {
+    for (int k = 0; k < size; ++k) Q[k] = femsph::load<Pack>(q + std::size_t(k) * stride);
+  }
+};
+
+/// The components of a particle side by side: in space, eight loads and a transpose and the ninth instead of 72 loads.
+struct TensorRecords {
+  static constexpr int size = 9;
+  static std::size_t at(std::size_t i, int k, std::size_t) { return i * size + std::size_t(k); }
+  FEMSPH_INLINE static void store(double* q, std::size_t, const Pack (&Q)[size]) {
+    Pack m[lanes];
+    for (int k = 0; k < lanes; ++k) m[k] = Q[k];
+    transpose(m);
+    for (int l = 0; l < lanes; ++l) {
+      *reinterpret_cast<PackUnaligned*>(q + l * size) = m[l];
+      q[l * size + 8] = Q[8][l];
+    }
+  }
+  FEMSPH_INLINE static void load(const double* q, std::size_t, Pack (&Q)[size]) {
+    static constexpr std::int32_t next[lanes] = {0, 1, 2, 3, 4, 5, 6, 7};
+    gather(q, next, Q);
+  }
+  FEMSPH_INLINE static void gather(const double* q, const std::int32_t* index, Pack (&Q)[size]) {
+    Pack m[lanes];
+    for (int l = 0; l < lanes; ++l) {
+      const double* record = q + std::ptrdiff_t(index[l]) * size;
+      m[l] = load_unaligned<Pack>(record);
+      Q[8][l] = record[8];
+    }
+    transpose(m);
+    for (int k = 0; k < lanes; ++k) Q[k] = m[k];
+  }
+};
+
+template <int dim>
 class LatticeStencils {
  public:
+  using Tensors = TensorRows<dim>;
   LatticeStencils(const RowSource& rows, std::size_t particles);
   std::size_t blocks() const { return descriptor_of_.size(); }
   std::size_t bytes() const;
@@ -49,7 +95,7 @@ class LatticeStencils {
     gradient_groups<with_scale, 1>(descriptors_[descriptor_of_[block]], u, stride, here, H, L);
   }
 
-  /// sum_j Q_j w_ij; Q row r, column c is component r * dim + c of the field at `q`.
+  /// sum_j Q_j w_ij; Q starts at `q`.
   FEMSPH_INLINE void divergence(std::size_t block, const double* q, std::size_t stride, Pack (&f)[dim]) const {
     Pack part[dim][dim];
     for (auto& row : part)
@@ -152,6 +198,7 @@ class LatticeStencils {
 template <int dim>
 class ListStencils {
  public:
+  using Tensors = std::conditional_t<dim == 3, TensorRecords, TensorRows<dim>>;
   ListStencils(const RowSource& rows, std::size_t particles);
   std::size_t blocks() const { return begin_.size() - 1; }
   std::size_t bytes() const;
@@ -172,12 +219,17 @@ class ListStencils {
   }
   FEMSPH_INLINE void divergence(std::size_t block, const double* q, std::size_t stride, Pack (&f)[dim]) const {
     for (Pack& x : f) x = Pack{};
-    const double* origin = q - block * lanes;
-    for (std::size_t k = begin_[block]; k < begin_[block + 1]; ++k)
+    const double* origin = q - Tensors::at(block * lanes, 0, stride);
+    for (std::size_t k = begin_[block]; k < begin_[block + 1]; ++k) {
+      Pack Q[dim * dim];
+      if constexpr (dim == 3) Tensors::gather(origin, &index_[k * lanes], Q);
+      else
+        for (int n = 0; n < dim * dim; ++n) Q[n] = gather(origin + std::size_t(n) * stride, &index_[k * lanes]);
       for (int c = 0; c < dim; ++c) {
         const Pack w = load<Pack>(&weight_[(k * (dim + 1) + c) * lanes]);
-        for (int r = 0; r < dim; ++r) f[r] += gather(origin + (r * dim + c) * stride, &index_[k * lanes]) * w;
+        for (int r = 0; r < dim; ++r) f[r] += Q[r * dim + c] * w;
       }
+    }
   }
   template <class Take>
   FEMSPH_INLINE void each(std::size_t block, const double* u, std::size_t stride, Take&& take) const {

@@ -78,6 +78,8 @@ class TotalLagrangian final : public ParticleBody {
   std::size_t blocks() const { return operator_.blocks(); }
   std::size_t first(std::size_t block) const { return layout_.offset + block * lanes; }
   std::size_t stride() const { return layout_.component_stride; }
+  using Tensors = typename Stencils::Tensors;
+  std::size_t q_slot(std::size_t particle, int r, int c) const { return Tensors::at(layout_.offset + particle, r * dim + c, stride()); }
   template <bool with_scale>
   FEMSPH_INLINE void gradient(std::size_t block, const double* u, Tensor<Pack, dim>& H, Pack (&L)[dim]) const {
     operator_.template gradient<with_scale>(block, u + first(block), stride(), H, L);
@@ -100,8 +102,10 @@ class TotalLagrangian final : public ParticleBody {
             store(&l_[(block * dim + r) * lanes], L[r]);
             for (int c = 0; c < dim; ++c) P[r][c] -= kappa_ * H[r][c];
           }
+        Pack Q[dim * dim];
         for (int r = 0; r < dim; ++r)
-          for (int c = 0; c < dim; ++c) store(&q_[first(block) + (r * dim + c) * stride()], P[r][c]);
+          for (int c = 0; c < dim; ++c) Q[r * dim + c] = P[r][c];
+        Tensors::store(&q_[q_slot(block * lanes, 0, 0)], stride(), Q);
       }
     });
   }
@@ -137,7 +141,7 @@ class TotalLagrangian final : public ParticleBody {
       const double p = piece.per_cell * stress_of(row.law, strain, piece.state);
       for (int c = 0; c < dim; ++c) {
         const double b = operator_.correction(piece.particle, row.axis, c);
-        for (int r = 0; r < dim; ++r) q_[layout_.offset + piece.particle + (r * dim + c) * stride()] += p * pull.at[r] * b;
+        for (int r = 0; r < dim; ++r) q_[q_slot(piece.particle, r, c)] += p * pull.at[r] * b;
       }
     });
   }
@@ -146,17 +150,14 @@ class TotalLagrangian final : public ParticleBody {
     for (std::size_t k = 0; k < particles_.mirrored.size(); ++k) {
       const Mirrored& m = particles_.mirrored[k];
       for (int r = 0; r < dim; ++r)
-        for (int c = 0; c < dim; ++c) {
-          double* q = &q_[layout_.offset + (r * dim + c) * stride()];
-          q[particles_.size() + k] = m.sign[r] * m.sign[c] * q[m.of];
-        }
+        for (int c = 0; c < dim; ++c) q_[q_slot(particles_.size() + k, r, c)] = m.sign[r] * m.sign[c] * q_[q_slot(m.of, r, c)];
     }
   }
 
   void stress_to_force(double* f) const {
     parallel_for(blocks() * lanes, lanes, [&](std::size_t begin, std::size_t end) {
       for (std::size_t block = begin / lanes; block < end / lanes; ++block) {
-        const double* q = &q_[first(block)];
+        const double* q = &q_[q_slot(block * lanes, 0, 0)];
         Pack force[dim];
         operator_.divergence(block, q, stride(), force);
         for (int r = 0; r < dim; ++r) {
@@ -194,7 +195,7 @@ class TotalLagrangian final : public ParticleBody {
   GradientOperator<dim, Stencils, corrected> operator_;
   std::unique_ptr<PairViscosity<dim, Stencils>> viscosity_;
   double kappa_ = 0;                       ///< hourglass stiffness, Pa
-  mutable AlignedVector<double> q_;        ///< Q, one padded row per component
+  mutable AlignedVector<double> q_;        ///< Q, as the stencils want it
   mutable AlignedVector<double> l_;        ///< L of the hourglass control, [block][component][lane]
   AlignedVector<double> state_;            ///< of the law, [block][value][lane]
 };

@@ -42,11 +42,13 @@ double TotalLagrangian<dim, Stencils, Kinematics, LawType, correction>::hourglas
     gradient<false>(block, u, H, L);
     operator_.stencils().each(block, u + first(block), stride(), [&](const Pack(&difference)[dim], const Pack(&w)[dim], const Pack& scale) {
       const Pack there = select(scale > 0.0, scale, broadcast<Pack>(1.0));
+      Pack square{};
       for (int r = 0; r < dim; ++r) {
         Pack e = H[r][0] * w[0] - scale * difference[r];
         for (int c = 1; c < dim; ++c) e += H[r][c] * w[c];
-        sum += e * e / there;
+        square += e * e;
       }
+      sum += square / there;
     });
     return 0.5 * kappa_ * operator_.volume(block) * sum;
   });
@@ -68,32 +70,34 @@ void TotalLagrangian<dim, Stencils, Kinematics, LawType, correction>::material_s
   out.stress.resize(points.size());
   out.strain.resize(points.size());
   out.plastic.resize(n_state == 0 ? 0 : points.size());
-  Tensor<Pack, dim> H;
-  Symmetric<Pack, dim> strain, stress;
-  std::size_t known = std::size_t(-1);
-  for (std::size_t k = 0; k < points.size(); ++k) {
-    const std::size_t block = points[k] / lanes, lane = points[k] % lanes;
-    if (block != known) {
-      Pack L[dim];
-      gradient<false>(block, u, H, L);
-      Kinematics::template strain<Pack, dim>(H, strain);
-      stress = stress_now(block, strain);
-      known = block;
+  parallel_for(points.size(), lanes, [&](std::size_t begin, std::size_t end) {
+    Tensor<Pack, dim> H;
+    Symmetric<Pack, dim> strain, stress;
+    std::size_t known = std::size_t(-1);
+    for (std::size_t k = begin; k < end; ++k) {
+      const std::size_t block = points[k] / lanes, lane = points[k] % lanes;
+      if (block != known) {
+        Pack L[dim];
+        gradient<false>(block, u, H, L);
+        Kinematics::template strain<Pack, dim>(H, strain);
+        stress = stress_now(block, strain);
+        known = block;
+      }
+      Tensor<double, dim> h;
+      Symmetric<double, dim> s, e;
+      for (int r = 0; r < dim; ++r)
+        for (int c = 0; c < dim; ++c) h[r][c] = H[r][c][lane];
+      for (int c = 0; c < n_symmetric; ++c) s[c] = stress[c][lane], e[c] = strain[c][lane];
+      if constexpr (n_state == 0) {
+        spatial_state<Kinematics>(law_, h, s, e, nullptr, out.stress[k], out.strain[k]);
+      } else {
+        double own[n_state - 2 * n_symmetric];
+        for (int c = 0; c < n_state - 2 * n_symmetric; ++c) own[c] = history(block)[c][lane];
+        spatial_state<Kinematics>(law_, h, s, e, own, out.stress[k], out.strain[k]);
+        out.plastic[k] = law_.plastic_strain(own);
+      }
     }
-    Tensor<double, dim> h;
-    Symmetric<double, dim> s, e;
-    for (int r = 0; r < dim; ++r)
-      for (int c = 0; c < dim; ++c) h[r][c] = H[r][c][lane];
-    for (int c = 0; c < n_symmetric; ++c) s[c] = stress[c][lane], e[c] = strain[c][lane];
-    if constexpr (n_state == 0) {
-      spatial_state<Kinematics>(law_, h, s, e, nullptr, out.stress[k], out.strain[k]);
-    } else {
-      double own[n_state - 2 * n_symmetric];
-      for (int c = 0; c < n_state - 2 * n_symmetric; ++c) own[c] = history(block)[c][lane];
-      spatial_state<Kinematics>(law_, h, s, e, own, out.stress[k], out.strain[k]);
-      out.plastic[k] = law_.plastic_strain(own);
-    }
-  }
+  });
 }
 
 /// det F <= 0 at a particle.

@@ -10,9 +10,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 #include "model/motion/critical_step.hpp"
+#include "model/motion/gravity.hpp"
 #include "model/numerics/parallel.hpp"
+#include "model/numerics/simd.hpp"
 
 namespace femsph {
 
@@ -59,11 +62,7 @@ void March::forces() {
     Discretization& d = *body.discretization;
     d.internal_force(body.u.data(), body.v.data(), step_ == 0 ? 0.0 : dt_, body.f.data(), body.viscous.empty() ? nullptr : body.viscous.data());
     for (const MovingBody::NodalLoad& load : body.loads) body.f[load.slot] += load.force * scene_.loads[load.load].history.at(time());
-    if (scene_.gravity) {
-      const Layout& at = d.layout();
-      for (int c = 0; c < at.dim; ++c)
-        for (std::size_t i = 0; i < at.points; ++i) body.f[at.at(i, c)] += d.mass()[i] * (*scene_.gravity)[c];
-    }
+    if (scene_.gravity) add_weight(d.layout(), d.mass(), *scene_.gravity, body.f.data());
   }
   for (ContactPair& contact : contacts_) {
     PhaseTimer timer(price_, "contact");
@@ -175,15 +174,8 @@ void March::kick_and_drift() {
       const TimeHistory& h = scene_.loads[load.load].history;
       external_work_ += load.force * 0.5 * (h.at(now) + h.at(next)) * dt_ * body.v[load.slot];
     }
-    if (scene_.gravity) {
-      const Layout& at = body.discretization->layout();
-      for (int c = 0; c < at.dim; ++c)
-        external_work_ += (*scene_.gravity)[c] * dt_ * parallel_sum(at.points, [&](std::size_t begin, std::size_t end) {
-          double s = 0;
-          for (std::size_t i = begin; i < end; ++i) s += body.discretization->mass()[i] * body.v[at.at(i, c)];
-          return s;
-        });
-    }
+    if (scene_.gravity)
+      external_work_ += dt_ * power_of_weight(body.discretization->layout(), body.discretization->mass(), *scene_.gravity, body.v.data());
   }
   move_rigid_bodies();
   external_passed_ += std::abs(external_work_ - done);
@@ -218,16 +210,23 @@ March::Kinetic March::kinetic() const {
     const bool viscous = !body.viscous.empty();
     const auto sum = [&](auto&& part) {
       return parallel_sum(body.v.size(), [&](std::size_t begin, std::size_t end) {
-        double s = 0;
-        for (std::size_t i = begin; i < end; ++i) {
-          const double w = body.inverse_mass[i], before = body.v[i];
-          if (w == 0) continue;
-          s += part(i, before, keep * before + push * w * (viscous ? body.f[i] + body.viscous[i] : body.f[i]));
-        }
-        return s;
+        const double *w = body.inverse_mass.data(), *v = body.v.data(), *f = body.f.data(), *g = body.viscous.data();
+        const auto add_up = [=](auto&& force) {
+          const auto entry = [=](std::size_t i) {
+            const double value = part(i, v[i], keep * v[i] + push * w[i] * force(i));
+            return w[i] == 0 ? 0.0 : value;
+          };
+          double s[lanes] = {};  // side by side: no addition waits for the one before
+          std::size_t i = begin;
+          for (; i + lanes <= end; i += lanes)
+            for (int l = 0; l < lanes; ++l) s[l] += entry(i + std::size_t(l));
+          for (; i < end; ++i) s[0] += entry(i);
+          return std::accumulate(s, s + lanes, 0.0);
+        };
+        return viscous ? add_up([=](std::size_t i) { return f[i] + g[i]; }) : add_up([=](std::size_t i) { return f[i]; });
       });
     };
-    k.energy += sum([&](std::size_t i, double before, double after) { return 0.5 / body.inverse_mass[i] * before * after; });
+    k.energy += sum([w = body.inverse_mass.data()](std::size_t i, double before, double after) { return 0.5 / w[i] * before * after; });
     if (damping_rate_ > 0)
       k.damping += 0.25 * damping_rate_ * dt_ * sum([&](std::size_t i, double before, double after) { return (before + after) * before / body.inverse_mass[i]; });
     if (viscous) k.viscosity -= 0.5 * dt_ * sum([&](std::size_t i, double before, double) { return body.viscous[i] * before; });

@@ -1,14 +1,16 @@
 #include "model/results/fields.hpp"
 
-#include <numeric>
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
+#include <future>
+#include <numeric>
 #include <optional>
 #include <stdexcept>
 
+#include "model/numerics/parallel.hpp"
 #include "model/results/hdf5.hpp"
 #include "model/results/whole_file.hpp"
 #include "model/results/xdmf.hpp"
@@ -31,10 +33,12 @@ void remove_earlier_fields(const std::string& folder) {
 }
 
 /// A flat vector field as rows of three components.
-std::vector<double> rows(const Layout& layout, const double* flat) {
-  std::vector<double> out(3 * layout.points, 0.0);
-  for (std::size_t i = 0; i < layout.points; ++i)
-    for (int c = 0; c < layout.dim; ++c) out[3 * i + c] = flat[layout.at(i, c)];
+const std::vector<double>& rows(const Layout& layout, const double* flat, std::vector<double>& out) {
+  out.resize(3 * layout.points);
+  parallel_for(layout.points, 64, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i)
+      for (int c = 0; c < 3; ++c) out[3 * i + std::size_t(c)] = c < layout.dim ? flat[layout.at(i, c)] : 0.0;
+  });
   return out;
 }
 
@@ -61,26 +65,77 @@ struct CellFields {
   std::vector<double> stress, strain, equivalent, plastic;  ///< plastic: empty when the law has none
 };
 
-/// Material points e k .. e k + k - 1 are those of cell e; k = 1 leaves every value as it is, to the last bit.
-CellFields cell_means(const Discretization& d, const MaterialState& state, std::size_t cells) {
-  CellFields out{std::vector<double>(9 * cells), std::vector<double>(9 * cells), std::vector<double>(cells),
-                 std::vector<double>(state.plastic.empty() ? 0 : cells)};
-  const std::size_t k = cells ? d.material_points() / cells : 0;
-  for (std::size_t e = 0; e < cells; ++e) {
-    double volume = 0;
-    for (std::size_t q = e * k; q < (e + 1) * k; ++q) volume += d.material_volume(q);
-    for (std::size_t q = e * k; q < (e + 1) * k; ++q) {
-      const double share = d.material_volume(q) / volume;
-      for (int c = 0; c < 9; ++c) {
-        out.stress[9 * e + c] += share * state.stress[q][full[c]];
-        out.strain[9 * e + c] += share * state.strain[q][full[c]];
-      }
-      out.equivalent[e] += share * von_mises(state.stress[q]);
-      if (!state.plastic.empty()) out.plastic[e] += share * state.plastic[q];
-    }
-  }
-  return out;
+/// a b + c as the compiler contracts such a sum where the processor can: said outright, since how it unrolls the loop around must not change the bits.
+double multiply_add(double a, double b, double c) {
+#ifdef __FMA__
+  return std::fma(a, b, c);
+#else
+  return a * b + c;
+#endif
 }
+
+/// Part of its cell's volume that each material point stands for; empty when a cell has one. Nothing deformed enters: once and for all.
+std::vector<double> shares_of(const Discretization& d, std::size_t cells) {
+  const std::size_t k = cells ? d.material_points() / cells : 0;
+  std::vector<double> share(k > 1 ? d.material_points() : 0);
+  if (!share.empty())
+    parallel_for(cells, 64, [&](std::size_t begin, std::size_t end) {
+      for (std::size_t e = begin; e < end; ++e) {
+        double volume = 0;
+        for (std::size_t q = e * k; q < (e + 1) * k; ++q) volume += share[q] = d.material_volume(q);
+        for (std::size_t q = e * k; q < (e + 1) * k; ++q) share[q] /= volume;
+      }
+    }, k);
+  return share;
+}
+
+/// Means over cells, some thousands at a time, so that their points' states stay near the processor. What a discretization prepares for one call
+/// (mirrored particles) it prepares for eight of them at most.
+class Means {
+ public:
+  void fill(const Discretization& d, const double* u, const std::vector<double>& share, std::size_t cells, CellFields& out) {
+    const std::size_t k = cells ? d.material_points() / cells : 0;
+    const std::size_t at_once = cells ? std::max(std::size_t{16384}, d.material_points() / 8) / k : 0;
+    out.stress.resize(9 * cells);
+    out.strain.resize(9 * cells);
+    out.equivalent.resize(cells);
+    state_.plastic.clear();
+    for (std::size_t first = 0; first < cells; first += at_once) {
+      const std::size_t count = std::min(at_once, cells - first);
+      points_.resize(count * k);
+      std::iota(points_.begin(), points_.end(), first * k);
+      d.material_state(u, points_, state_);
+      out.plastic.resize(state_.plastic.empty() ? 0 : cells);
+      parallel_for(count, 64, [&](std::size_t begin, std::size_t end) {
+        for (std::size_t e = begin; e < end; ++e) mean(e, first + e, k, share.empty() ? nullptr : &share[(first + e) * k], out);
+      }, k);
+    }
+    if (cells == 0) out.plastic.clear();
+  }
+
+ private:
+  /// Points e k .. e k + k - 1 of state_ are those of `cell`; k = 1 leaves every value as it is, to the last bit.
+  void mean(std::size_t e, std::size_t cell, std::size_t k, const double* shares, CellFields& out) const {
+    double stress[9] = {}, strain[9] = {}, equivalent = 0, plastic = 0;
+    for (std::size_t n = 0; n < k; ++n) {
+      const std::size_t q = e * k + n;
+      const double share = shares ? shares[n] : 1.0;
+      for (int c = 0; c < 9; ++c) {
+        stress[c] = multiply_add(share, state_.stress[q][full[c]], stress[c]);
+        strain[c] = multiply_add(share, state_.strain[q][full[c]], strain[c]);
+      }
+      equivalent += share * von_mises(state_.stress[q]);
+      if (!state_.plastic.empty()) plastic += share * state_.plastic[q];
+    }
+    std::copy_n(stress, 9, &out.stress[9 * cell]);
+    std::copy_n(strain, 9, &out.strain[9 * cell]);
+    out.equivalent[cell] = equivalent;
+    if (!state_.plastic.empty()) out.plastic[cell] = plastic;
+  }
+
+  MaterialState state_;
+  std::vector<std::size_t> points_;
+};
 
 }  // namespace
 
@@ -91,12 +146,21 @@ struct FieldWriter::Impl {
   std::vector<xdmf::Frame> frames;  ///< on disk
   std::optional<hdf5::Image> geometry, data;
   xdmf::Frame frame;  ///< described by `data`
-  MaterialState state;
-  std::vector<std::size_t> all_points;
+  std::vector<std::vector<double>> shares;  ///< of each body, from its first snapshot on
+  Means means;
+  CellFields cells;          ///< these two for their memory: pages asked for anew cost as much as what is written on them
+  std::vector<double> point_rows;
+  std::future<void> writing; ///< of `frame`, by commit_later()
 
   void write_geometry();
+  void settle() {
+    if (!writing.valid()) return;
+    writing.get();
+    frames.push_back(frame);
+  }
   static std::string file_of(std::size_t frame) { return fmt::format("fields/{:06}.h5", frame); }
   void begin(long step, double time) {
+    settle();
     if (!data) {
       frame = {file_of(frames.size()), step, time, {}};
       data.emplace(folder + "/" + frame.file);
@@ -143,16 +207,16 @@ void FieldWriter::snapshot(std::size_t body, long step, double time, const doubl
   impl_->begin(step, time);
   const Discretization& d = *impl_->discretizations.at(body);
   const std::size_t points = impl_->bodies[body].points, cells = impl_->bodies[body].cells;
-  impl_->all_points.resize(d.material_points());
-  std::iota(impl_->all_points.begin(), impl_->all_points.end(), std::size_t{0});
-  impl_->state.plastic.clear();
-  d.material_state(u, impl_->all_points, impl_->state);
-  const CellFields means = cell_means(d, impl_->state, cells);
+  impl_->shares.resize(impl_->bodies.size());
+  std::vector<double>& share = impl_->shares[body];
+  if (share.empty()) share = shares_of(d, cells);
+  CellFields& means = impl_->cells;
+  impl_->means.fill(d, u, share, cells, means);
 
   hdf5::Image& image = *impl_->data;
   const std::string group = xdmf::group(body);
-  image.dataset(group + "/displacement", rows(d.layout(), u), {points, 3});
-  image.dataset(group + "/velocity", rows(d.layout(), v), {points, 3});
+  image.dataset(group + "/displacement", rows(d.layout(), u, impl_->point_rows), {points, 3});
+  image.dataset(group + "/velocity", rows(d.layout(), v, impl_->point_rows), {points, 3});
   image.dataset(group + "/stress", means.stress, {cells, 9});
   image.dataset(group + "/strain", means.strain, {cells, 9});
   image.dataset(group + "/equivalent_stress", means.equivalent, {cells, 1});
@@ -167,14 +231,26 @@ void FieldWriter::Impl::write_geometry() {
 }
 
 void FieldWriter::commit() {
+  commit_later();
+  settle();
+}
+
+void FieldWriter::commit_later() {
   Impl& w = *impl_;
   if (!w.data) return;
   w.write_geometry();
-  write_whole(w.data->bytes(), w.folder + "/" + w.frame.file);
+  std::vector<xdmf::Frame> then = w.frames;
+  then.push_back(w.frame);
+  w.writing = std::async(std::launch::async, [image = w.data->bytes(), file = w.folder + "/" + w.frame.file,
+                                              description = xdmf::document(w.bodies, then, geometry_file), all = w.folder + "/fields.xdmf"]() mutable {
+    write_whole(image, file);
+    std::string().swap(image);
+    write_whole(description, all);
+  });
   w.data.reset();
-  w.frames.push_back(w.frame);
-  write_whole(xdmf::document(w.bodies, w.frames, geometry_file), w.folder + "/fields.xdmf");
 }
+
+void FieldWriter::settle() { impl_->settle(); }
 
 void FieldWriter::commit_alone(const std::string& name, const std::string& label) {
   Impl& w = *impl_;
@@ -189,6 +265,7 @@ void FieldWriter::commit_alone(const std::string& name, const std::string& label
 
 void FieldWriter::state(Archive& archive) {
   Impl& w = *impl_;
+  w.settle();
   std::size_t count = w.frames.size();
   archive("frames", count);
   w.frames.resize(count);

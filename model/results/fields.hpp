@@ -32,6 +32,11 @@ class FieldWriter {
   void snapshot(std::size_t body, long step, double time, const double* u, const double* v);
   /// Ends a snapshot of all bodies and puts it on disk. What was not committed is lost.
   void commit();
+  /// The same while the caller goes on: the disk takes longer than composing a snapshot, and the files still appear in the same order, each synced
+  /// before it is renamed. The next call of the writer waits for it and throws if it failed; until then what was on disk before is the last good state.
+  void commit_later();
+  /// Waits for commit_later(); throws as commit() does.
+  void settle();
   /// Ends a snapshot that stands alone: DIR/NAME.xdmf, with its data in DIR/fields/NAME.h5, and `label` in it.
   void commit_alone(const std::string& name, const std::string& label);
   /// Which snapshots are on disk. What was written after the state was saved is written again.

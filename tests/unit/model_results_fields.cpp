@@ -163,6 +163,42 @@ TEST(Fields, UncommittedSnapshotsLeaveNothing) {
   EXPECT_TRUE(folder.files().empty());
 }
 
+/// What goes to disk behind the caller is what commit() puts there, in the same order; the next call has waited for it.
+TEST(Fields, CommittedLaterIsTheSame) {
+  const Folder at_once, later;
+  for (const Folder* folder : {&at_once, &later}) {
+    FieldWriter writer(folder->path());
+    writer.add_body("beam", mesh);
+    for (long step : {0, 7, 14}) {
+      snapshot(writer, 0, mesh, step, 0.1 * double(step));
+      if (folder == &at_once) writer.commit();
+      else writer.commit_later();
+    }
+    writer.settle();
+    EXPECT_EQ(folder->files().size(), 5u);
+    EXPECT_EQ(count(read(*folder / "fields.xdmf"), "CollectionType=\"Spatial\""), 3u);
+  }
+  for (const std::string& file : at_once.files()) EXPECT_EQ(read(at_once / file), read(later / file)) << file;
+}
+
+TEST(Fields, WhatFailedLaterIsTold) {
+  const Folder folder;
+  FieldWriter writer(folder.path());
+  writer.add_body("beam", mesh);
+  snapshot(writer, 0, mesh, 0, 0.0);
+  writer.commit();
+  const std::string before = read(folder / "fields.xdmf");
+  std::filesystem::create_directory(folder / "fields/000001.h5");
+  snapshot(writer, 0, mesh, 1, 0.1);
+  writer.commit_later();
+  EXPECT_THAT([&] { snapshot(writer, 0, mesh, 2, 0.2); }, ThrowsMessage<std::runtime_error>(HasSubstr("fields/000001.h5: Is a directory")));
+  EXPECT_EQ(read(folder / "fields.xdmf"), before);  // the last good state
+  std::filesystem::remove(folder / "fields/000001.h5");
+  snapshot(writer, 0, mesh, 2, 0.2);  // takes the place of what was lost
+  writer.commit();
+  EXPECT_EQ(expect_items_exist(folder, read(folder / "fields.xdmf")), 2u * 7u);
+}
+
 TEST(Fields, AnEarlierRunIsGoneAndNothingElse) {
   const Folder folder;
   std::filesystem::create_directory(folder / "fields");

@@ -1,0 +1,83 @@
+#include "model/motion/gravity.hpp"
+
+#include <algorithm>
+
+#include "model/numerics/parallel.hpp"
+#include "model/numerics/simd.hpp"
+
+namespace femsph {
+
+namespace {
+
+constexpr std::size_t chunk = 4096;  ///< points, as in parallel_sum; a multiple of `lanes`
+/// A point costs a tenth of a particle or so: fewer than this are not worth a fork.
+constexpr std::size_t points_for_one_thread = 4 * serial_below;
+
+/// The two layouts there are, with strides that the compiler knows: components side by side (FEM), or a row for each (SPH).
+template <int dim>
+struct SideBySide {
+  std::size_t first;
+  std::size_t at(std::size_t i, int c) const { return first + i * dim + std::size_t(c); }
+};
+template <int dim>
+struct Rows {
+  std::size_t first, stride;
+  std::size_t at(std::size_t i, int c) const { return first + std::size_t(c) * stride + i; }
+};
+
+template <class Body>
+auto with_strides(const Layout& at, Body&& body) {
+  if (at.component_stride == 1 && at.point_stride == std::size_t(at.dim)) {
+    if (at.dim == 2) return body.template operator()<2>(SideBySide<2>{at.offset});
+    return body.template operator()<3>(SideBySide<3>{at.offset});
+  }
+  if (at.dim == 2) return body.template operator()<2>(Rows<2>{at.offset, at.component_stride});
+  return body.template operator()<3>(Rows<3>{at.offset, at.component_stride});
+}
+
+/// Eight sums side by side, so that no addition waits for the one before.
+template <int dim, class Strides>
+double power(const Strides at, const double* __restrict m, const Point& g, const double* __restrict v, std::size_t begin, std::size_t end) {
+  double sum[lanes] = {};
+  std::size_t i = begin;
+  for (; i + lanes <= end; i += lanes)
+    for (int l = 0; l < lanes; ++l) {
+      double along = g[0] * v[at.at(i + std::size_t(l), 0)];
+      for (int c = 1; c < dim; ++c) along += g[c] * v[at.at(i + std::size_t(l), c)];
+      sum[l] += m[i + std::size_t(l)] * along;
+    }
+  for (; i < end; ++i)
+    for (int c = 0; c < dim; ++c) sum[0] += m[i] * g[c] * v[at.at(i, c)];
+  double all = 0;
+  for (const double part : sum) all += part;
+  return all;
+}
+
+}  // namespace
+
+void add_weight(const Layout& layout, std::span<const double> mass, const Point& g, double* f) {
+  const double* m = mass.data();
+  with_strides(layout, [&]<int dim>(const auto at) {
+    const auto add = [=, g = g](std::size_t begin, std::size_t end) {
+      const double* __restrict own = m;
+      double* __restrict force = f;
+      for (std::size_t i = begin; i < end; ++i)
+        for (int c = 0; c < dim; ++c) force[at.at(i, c)] += own[i] * g[c];
+    };
+    if (layout.points < points_for_one_thread) add(0, layout.points);
+    else parallel_for(layout.points, 512, add);
+  });
+}
+
+double power_of_weight(const Layout& layout, std::span<const double> mass, const Point& g, const double* v) {
+  const double* m = mass.data();
+  return with_strides(layout, [&]<int dim>(const auto at) {
+    const auto part = [&](std::size_t begin, std::size_t end) { return power<dim>(at, m, g, v, begin, end); };
+    if (layout.points >= points_for_one_thread) return parallel_sum(layout.points, part);
+    double sum = 0;
+    for (std::size_t begin = 0; begin < layout.points; begin += chunk) sum += part(begin, std::min(begin + chunk, layout.points));
+    return sum;
+  });
+}
+
+}  // namespace femsph
