@@ -19,14 +19,6 @@ FEMSPH_INLINE T initial_yield(const Plasticity& p, const PointStress<T, dim>& tr
   return select(trial.mean() > 0.0, broadcast<T>(p.tensile_strength), compressive);
 }
 
-template <class T, int dim>
-FEMSPH_INLINE Flow<T> return_to_surface(const LinearElastic& base, double hardening, const T& yield, PointStress<T, dim>& s) {
-  if constexpr (dim == 2) {
-    if (base.plane == Plane::stress) return projected_return(base, hardening, yield, s);
-  }
-  return radial_return(base, hardening, yield, s);
-}
-
 /// How much the yield stress has grown: H p, E p by hypothesis 8, the largest excess so far by hypothesis 3.
 template <class T>
 FEMSPH_INLINE T growth(const LinearElastic& base, const Plasticity& p, const T* history) {

@@ -74,12 +74,10 @@ struct Plastic {
         }
         return;
       }
-      if (dim == 3 || base.plane == Plane::strain) {
-        plastic::PointStress<T, dim> now = trial;
-        const plastic::Flow<T> step = plastic::radial_return(base, parameters.hardening, yield, now);
-        note(trial, now, step, stress, history);
-        return;
-      }
+      plastic::PointStress<T, dim> now = trial;
+      const plastic::Flow<T> step = plastic::return_to_surface(base, parameters.hardening, yield, now);
+      note(trial, now, step, stress, history);
+      return;
     }
     const Symmetric<T, dim> by = increment;  // copies: what the kernel holds in registers must not have an address
     Symmetric<T, dim> to = stress;
