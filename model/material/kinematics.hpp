@@ -294,7 +294,8 @@ FEMSPH_INLINE Symmetric<T, dim> advance_law(const LawType& law, const Symmetric<
       const T* ahead = state;
       asm("" : "+r"(ahead));  // hides from the compiler's warnings that the next line may point beyond the array
       ahead += 2 * size;
-      for (int k = 0; k < size; ++k) __builtin_prefetch(ahead + k, 1);
+      for (int k = 0; k < size; ++k)
+        if (k != 2 * n + LawType::seldom) __builtin_prefetch(ahead + k, 1);
     }
     Symmetric<T, dim> stress, before;
     for (int k = 0; k < n; ++k) {

@@ -44,7 +44,7 @@ void Plastic::flow(const Symmetric<T, dim>& increment, Symmetric<T, dim>& stress
   if (p.tension == TensionRule::principal) cut_tension(p.tensile_strength, now);
 
   if (p.integration == Integration::largest_stress) history[excess] = larger(history[excess], von_mises(now) - initial);
-  note(trial, now, step, stress, history);
+  note<false>(trial, now, step, stress, history);
 }
 
 template void Plastic::flow(const Symmetric<double, 2>&, Symmetric<double, 2>&, double*) const;

@@ -41,9 +41,10 @@ template <class T, class Mask>
 ///
 /// The first step, z from x = 0, is the series of the inverse of g to z^3: with w = a/q^2 and m = q g'/h = 1 - w (1 - c) + k q/Y,
 ///   x = z + s z^2 + s (2 s - 1 + (1 - c) (4 - 5 w)/3) z^3,   s = -g''/2g' = 3/2 w (1 - w) (1 - c)^2 / m.
-/// From there a step of 1e-7 or less ends it if the overshoot was below some per cent. It takes no root: R = 1 - k x, N = a B^2 + b A^2,
-/// M = Y A B make the miss of the surface R q/Y - 1 = sqrt(1 + delta) - 1, delta = (R^2 N - M^2) / M^2, which is small. What A, B and R
-/// come to by that step, their reciprocals follow by series: nothing is divided after it.
+/// From there a step of 1e-8 B or less ends it, which an overshoot of some per cent does. It takes no root: with R = 1 - k x, N = a B^2 + b A^2
+/// and M = A B the miss of the surface is g/h = 1 - R q/Y = 1 - sqrt(1 + delta), delta = R^2 N / (Y M)^2 - 1, so that, but for powers of
+/// delta (1e-8 of the step),   dx = (R^2 N - (Y M)^2) M / (2 R (R (c a B^3 + b A^3) + k N M)).
+/// Beside it the reciprocals of A, B and R; they follow the step by its first power: nothing is divided after it.
 ///
 /// When to stop: with w the share of a/A^2 in q^2, h''/h' = -3 w (1 - w) (1/B - c/A)^2 / (w c/A + (1 - w)/B), whose largest value over w
 /// gives |h''| <= 3 (1 - sqrt c)^2 h' / B. So a step dx leaves an error of at most 3/2 dx^2 / B (c <= 1), and 1e-7 B leaves 1.5e-14 B.
@@ -52,25 +53,24 @@ FEMSPH_INLINE Flow<T> projected_return(const LinearElastic& elastic, double hard
   const double three_g = 3 * elastic.mu, k = hardening / three_g, c = (1 + elastic.poisson) / (3 * (1 - elastic.poisson)), d = 1 - c;
   const T sum = s.in[0] + s.in[1], difference = s.in[1] - s.in[0], shear = s.in[2];
   const T a = 0.25 * sum * sum, b = 0.75 * difference * difference + 3.0 * shear * shear, square = a + b;
-  const auto yielding = square > yield * yield;
+  const T yield2 = yield * yield;
+  const auto yielding = square > yield2;
   if (!any(yielding)) return {T{}, T{}};
 
-  const T q = square_root(square), slope = yield * (c * a + b) + k * square * q, r = 1.0 / (square * slope);
-  const T z = square * square * (q - yield) * r, bend = (1.5 * d * d) * (a * b) * (yield * r), w = a * slope * r;
-  T x = z + bend * z * z * (1.0 + z * (2.0 * bend + (4.0 / 3 * d - 1.0 - 5.0 / 3 * d * w)));
+  const T q = square_root(square), ca = c * a, slope = yield * (ca + b) + k * square * q, r = 1.0 / (square * slope);
+  const T z = square * (q - yield) * (square * r), bend = (1.5 * d * d) * (a * b) * (yield * r), w = a * (slope * r);
+  T x = z + bend * z * z * (1.0 + z * (2.0 * bend + ((4.0 / 3 * d - 1.0) - (5.0 / 3 * d) * w)));
 
-  const T A = 1.0 + c * x, B = 1.0 + x, R = 1.0 - k * x, A2 = A * A, B2 = B * B, N = a * B2 + b * A2, M = yield * A * B;
-  const T one_by = 1.0 / (M * R), by_slope = 1.0 / (yield * R * (c * a * B2 * B + b * A2 * A) + k * N * M);
-  const T by_M = R * one_by, delta = (R * R * N - M * M) * (by_M * by_M);
-  T by_A = yield * B * by_M, by_B = yield * A * by_M, by_R = M * one_by;
-  const T first = (N * M * R * by_slope) * (delta * (0.5 - 0.125 * delta)), step = first - k * by_R * first * first;
-  if (any(yielding & !((step * step <= 1e-14 * B2) & (z < 0.2)))) {
-    x = projected_root(a, b, yield, c, k, select(z < 0.2, x, z), yielding);
+  const T A = 1.0 + c * x, B = 1.0 + x, R = 1.0 - k * x, A2 = A * A, B2 = B * B, bA2 = b * A2, N = a * B2 + bA2, M = A * B;
+  const T by_slope = 0.5 / (R * (R * (ca * B2 * B + bA2 * A) + k * N * M)), by_all = 1.0 / (M * R), by_M = R * by_all;
+  T by_A = B * by_M, by_B = A * by_M, by_R = M * by_all;
+  const T step = ((R * R) * N - yield2 * (A2 * B2)) * (M * by_slope);
+  if (any(yielding & !((step * step <= 1e-16 * B2) & (z < 0.2)))) {
+    x = projected_root(a, b, yield, c, k, select(z < 0.2, x + step, z), yielding);
     by_A = 1.0 / (1.0 + c * x), by_B = 1.0 / (1.0 + x), by_R = 1.0 / (1.0 - k * x);
   } else {
-    const T da = c * step * by_A, db = step * by_B, dr = k * step * by_R;
-    by_A *= 1.0 - da + da * da, by_B *= 1.0 - db + db * db, by_R *= 1.0 + dr + dr * dr;
     x += step;
+    by_A -= by_A * by_A * (c * step), by_B -= by_B * by_B * step, by_R += by_R * by_R * (k * step);
   }
   x = select(yielding, x, T{});
   const T u = 0.5 * sum * by_A, half = 0.5 * by_B * difference;
