@@ -51,68 +51,118 @@ struct SmallStrain : AddedStrain {
   }
 };
 
-/// X <- (X + X^-T)/2. Out of the kernels' way: few points are stretched so far.
+/// F = R U in space.
 template <class T>
-[[gnu::noinline]] Tensor<T, 3> newton_polar_turn(Tensor<T, 3> R) {
-  Tensor<T, 3> C;  // cofactors: X^-T = C / det X
+struct Polar {
+  Tensor<T, 3> R;
+  Symmetric<T, 3> strain, shrink;  ///< U - 1 and U^-1 - 1
+};
+
+/// F^T F - 1
+template <class T>
+FEMSPH_INLINE Symmetric<T, 3> green(const Tensor<T, 3>& F) {
+  Symmetric<T, 3> G;
   for (int i = 0; i < 3; ++i)
-    for (int j = 0; j < 3; ++j) {
-      const int i1 = (i + 1) % 3, i2 = (i + 2) % 3, j1 = (j + 1) % 3, j2 = (j + 2) % 3;
-      C[i][j] = R[i1][j1] * R[i2][j2] - R[i1][j2] * R[i2][j1];
+    for (int j = i; j < 3; ++j) {
+      const T g = F[0][i] * F[0][j] + F[1][i] * F[1][j] + F[2][i] * F[2][j];
+      G(i, j) = i == j ? g - 1.0 : g;
     }
-  const T r = 0.5 / (R[0][0] * C[0][0] + R[0][1] * C[0][1] + R[0][2] * C[0][2]);
-  for (int i = 0; i < 3; ++i)
-    for (int j = 0; j < 3; ++j) R[i][j] = 0.5 * R[i][j] + C[i][j] * r;
-  return R;
+  return G;
 }
 
-/// Rotation of the polar decomposition F = R U. 2D: closed form. 3D: with G = X^T X - 1 the turns
-///   X <- X (1 - G/2 + 3/8 G^2 - 5/16 G^3 + 35/128 G^4)    leave 63/256 |G|^5, no division (the series of (1 + G)^-1/2; Higham,
-///                                                         Functions of Matrices, 8.3),
-///   X <- (X + X^-T)/2                                     Newton's, for stretches far from 1 (Higham 1986).
-/// They end when the last one's error is below 1e-16 in every lane: one turn for stretches up to 0.04 %, two up to 13 %.
+/// The decomposition of F by the series of U^-1 = (1 + G)^-1/2 to G^n, G = F^T F - 1: leaves less than |G|^(n+1)/2. By Cayley and Hamilton's
+/// G^3 = I1 G^2 - I2 G + I3 every power is a sum of 1, G and G^2, so that a term takes three multiplications.
+template <int n, class T>
+FEMSPH_INLINE void polar_series(const Tensor<T, 3>& F, const Symmetric<T, 3>& G, Polar<T>& p) {
+  constexpr double c[11] = {0, -1.0 / 2, 3.0 / 8, -5.0 / 16, 35.0 / 128, -63.0 / 256, 231.0 / 1024, -429.0 / 2048, 6435.0 / 32768, -12155.0 / 65536, 46189.0 / 262144};
+  const T xy = G[0] * G[1] - G[3] * G[3], yz = G[1] * G[2] - G[4] * G[4], zx = G[2] * G[0] - G[5] * G[5];
+  const T I1 = trace(G), I2 = xy + yz + zx, I3 = G[0] * yz + G[3] * (G[4] * G[5] - G[3] * G[2]) + G[5] * (G[3] * G[4] - G[1] * G[5]);
+  T a = broadcast<T>(c[n - 2]), b = broadcast<T>(c[n - 1]), g = broadcast<T>(c[n]);  // a + b G + g G^2
+#pragma GCC unroll 8
+  for (int k = n - 3; k >= 0; --k) {
+    const T above = b;
+    b = a - g * I2;
+    a = c[k] + g * I3;
+    g = above + g * I1;
+  }
+  const T sa = a + g * I3, sb = 1.0 + a + b - g * I2, sg = b + g + g * I1;  // U - 1 = (1 + G) U^-1 - 1
+  Symmetric<T, 3> G2;
+  for (int i = 0; i < 3; ++i)
+    for (int j = i; j < 3; ++j) G2(i, j) = G(i, 0) * G(0, j) + G(i, 1) * G(1, j) + G(i, 2) * G(2, j);
+  for (int k = 0; k < 6; ++k) {
+    p.shrink[k] = b * G[k] + g * G2[k];
+    p.strain[k] = sb * G[k] + sg * G2[k];
+  }
+  for (int k = 0; k < 3; ++k) p.shrink[k] += a, p.strain[k] += sa;
+  for (int i = 0; i < 3; ++i)
+    for (int j = 0; j < 3; ++j) p.R[i][j] = F[i][j] + (F[i][0] * p.shrink(0, j) + F[i][1] * p.shrink(1, j) + F[i][2] * p.shrink(2, j));
+}
+
+/// Stretches far from 1, where few points are: Newton's X <- (X + X^-T)/2 (Higham 1986) until |G| < 1/2, then the series until one leaves nothing.
+template <class T>
+[[gnu::noinline]] void polar_far(const Tensor<T, 3>& F, Polar<T>& p) {
+  p.R = F;
+  for (int turn = 0; turn < 20; ++turn) {
+    const Symmetric<T, 3> G = green(p.R);
+    const T size = contract(G, G);
+    const Tensor<T, 3> X = p.R;
+    if (any(size > 0.25)) {
+      Tensor<T, 3> C;  // cofactors: X^-T = C / det X
+      for (int i = 0; i < 3; ++i)
+        for (int j = 0; j < 3; ++j) {
+          const int i1 = (i + 1) % 3, i2 = (i + 2) % 3, j1 = (j + 1) % 3, j2 = (j + 2) % 3;
+          C[i][j] = X[i1][j1] * X[i2][j2] - X[i1][j2] * X[i2][j1];
+        }
+      const T r = 0.5 / (X[0][0] * C[0][0] + X[0][1] * C[0][1] + X[0][2] * C[0][2]);
+      for (int i = 0; i < 3; ++i)
+        for (int j = 0; j < 3; ++j) p.R[i][j] = 0.5 * X[i][j] + C[i][j] * r;
+      continue;
+    }
+    polar_series<10>(X, G, p);
+    if (!any(size > 1.5e-3)) break;
+  }
+  for (int i = 0; i < 3; ++i)
+    for (int j = i; j < 3; ++j) {
+      const T u = p.R[0][i] * F[0][j] + p.R[1][i] * F[1][j] + p.R[2][i] * F[2][j];
+      p.strain(i, j) = i == j ? u - 1.0 : u;
+    }
+  p.shrink = inverse_stretch(p.strain);
+  for (int k = 0; k < 3; ++k) p.shrink[k] -= 1.0;
+}
+
+/// Ends when the error is below 1e-16 in every lane: the series to G^4 for stretches up to 0.04 %, to G^10 up to 1.9 %.
+template <class T>
+FEMSPH_INLINE void polar(const Tensor<T, 3>& F, Polar<T>& p) {
+  const Symmetric<T, 3> G = green(F);
+  const T size = contract(G, G);  // |G|^2
+  if (any(size > 1.5e-3)) {
+    const Tensor<T, 3> from = F;  // copies: what the kernel holds in registers must not have an address
+    Polar<T> far;
+    polar_far(from, far);
+    p = far;
+  } else if (any(size > 6.5e-7)) {
+    polar_series<10>(F, G, p);
+  } else {
+    polar_series<4>(F, G, p);
+  }
+}
+
+/// Rotation of the polar decomposition F = R U. 2D: closed form. 3D: see above.
 template <class T, int dim>
 FEMSPH_INLINE Tensor<T, dim> polar_rotation(const Tensor<T, dim>& F) {
-  Tensor<T, dim> R;
   if constexpr (dim == 2) {
+    Tensor<T, dim> R;
     const T c = F[0][0] + F[1][1], s = F[1][0] - F[0][1];
     const T r = 1.0 / square_root(c * c + s * s);
     R[0][0] = R[1][1] = c * r;
     R[1][0] = s * r;
     R[0][1] = -s * r;
+    return R;
   } else {
-    R = F;
-    for (int turn = 0; turn < 20; ++turn) {
-      Symmetric<T, 3> G;
-      for (int i = 0; i < 3; ++i)
-        for (int j = i; j < 3; ++j) {
-          const T g = R[0][i] * R[0][j] + R[1][i] * R[1][j] + R[2][i] * R[2][j];
-          G(i, j) = i == j ? g - 1.0 : g;
-        }
-      const T size = contract(G, G);  // |G|^2
-      if (any(size > 0.25)) {
-        R = newton_polar_turn(R);
-        continue;
-      }
-      const auto times = [](const Symmetric<T, 3>& A, const Symmetric<T, 3>& B) __attribute__((always_inline)) {  // of two powers of G
-        Symmetric<T, 3> C;
-        for (int i = 0; i < 3; ++i)
-          for (int j = i; j < 3; ++j) C(i, j) = A(i, 0) * B(0, j) + A(i, 1) * B(1, j) + A(i, 2) * B(2, j);
-        return C;
-      };
-      const Symmetric<T, 3> G2 = times(G, G);
-      Symmetric<T, 3> S;
-      for (int k = 0; k < 6; ++k) S[k] = 35.0 / 128 * G2[k] - 5.0 / 16 * G[k];
-      S = times(G2, S);
-      for (int k = 0; k < 6; ++k) S[k] += 3.0 / 8 * G2[k] - 0.5 * G[k];
-      for (int i = 0; i < 3; ++i) {
-        const T x = R[i][0], y = R[i][1], z = R[i][2];
-        for (int j = 0; j < 3; ++j) R[i][j] += x * S(0, j) + y * S(1, j) + z * S(2, j);
-      }
-      if (!any(size > 6.5e-7)) break;
-    }
+    Polar<T> p;
+    polar(F, p);
+    return p.R;
   }
-  return R;
 }
 
 struct FiniteRotation : AddedStrain {
@@ -123,6 +173,12 @@ struct FiniteRotation : AddedStrain {
   FEMSPH_INLINE static Frame<T, dim> strain(const Tensor<T, dim>& H, Symmetric<T, dim>& e) {
     Tensor<T, dim> F = H;
     for (int i = 0; i < dim; ++i) F[i][i] += 1.0;
+    if constexpr (dim == 3) {
+      Polar<T> p;
+      polar(F, p);
+      e = p.strain;
+      return p.R;
+    }
     const Tensor<T, dim> R = polar_rotation<T, dim>(F);
     for (int i = 0; i < dim; ++i)
       for (int j = i; j < dim; ++j) {
@@ -145,11 +201,30 @@ struct FiniteRotation : AddedStrain {
 };
 
 struct LargeStrain {
+  /// The rotation, and U^-1, which the decomposition in space gives by the way.
   template <class T, int dim>
-  using Frame = Tensor<T, dim>;
+  struct Frame : Tensor<T, dim> {
+    Symmetric<T, dim> inverse;
+  };
 
   template <class T, int dim>
-  FEMSPH_INLINE static Frame<T, dim> strain(const Tensor<T, dim>& H, Symmetric<T, dim>& e) { return FiniteRotation::strain<T, dim>(H, e); }
+  FEMSPH_INLINE static Frame<T, dim> strain(const Tensor<T, dim>& H, Symmetric<T, dim>& e) {
+    Frame<T, dim> frame;
+    if constexpr (dim == 3) {
+      Tensor<T, dim> F = H;
+      for (int i = 0; i < dim; ++i) F[i][i] += 1.0;
+      Polar<T> p;
+      polar(F, p);
+      e = p.strain;
+      static_cast<Tensor<T, dim>&>(frame) = p.R;
+      frame.inverse = p.shrink;
+      for (int i = 0; i < dim; ++i) frame.inverse[i] += 1.0;
+    } else {
+      static_cast<Tensor<T, dim>&>(frame) = FiniteRotation::strain<T, dim>(H, e);
+      frame.inverse = inverse_stretch(e);
+    }
+    return frame;
+  }
 
   /// The midpoint rule: over a stretch by 1 + x in one step it errs by x^3/12, over a path by the square of the step.
   template <class T, int dim>
@@ -168,13 +243,12 @@ struct LargeStrain {
   }
 
   template <class T, int dim>
-  FEMSPH_INLINE static void piola(const Frame<T, dim>& R, const Symmetric<T, dim>& e, const Symmetric<T, dim>& s, Tensor<T, dim>& P) {
-    const Symmetric<T, dim> inverse = inverse_stretch(e);
+  FEMSPH_INLINE static void piola(const Frame<T, dim>& R, const Symmetric<T, dim>&, const Symmetric<T, dim>& s, Tensor<T, dim>& P) {
     Tensor<T, dim> B;
     for (int i = 0; i < dim; ++i)
       for (int j = 0; j < dim; ++j) {
-        B[i][j] = s(i, 0) * inverse(0, j);
-        for (int k = 1; k < dim; ++k) B[i][j] += s(i, k) * inverse(k, j);
+        B[i][j] = s(i, 0) * R.inverse(0, j);
+        for (int k = 1; k < dim; ++k) B[i][j] += s(i, k) * R.inverse(k, j);
       }
     for (int i = 0; i < dim; ++i)
       for (int j = 0; j < dim; ++j) {
@@ -220,7 +294,8 @@ FEMSPH_INLINE Symmetric<T, dim> advance_law(const LawType& law, const Symmetric<
       const T* ahead = state;
       asm("" : "+r"(ahead));  // hides from the compiler's warnings that the next line may point beyond the array
       ahead += 2 * size;
-      for (int k = 0; k < size; ++k) __builtin_prefetch(ahead + k, 1);
+      for (int k = 0; k < size; ++k)
+        if (k != 2 * n + LawType::seldom) __builtin_prefetch(ahead + k, 1);
     }
     Symmetric<T, dim> stress, before;
     for (int k = 0; k < n; ++k) {

@@ -19,14 +19,6 @@ FEMSPH_INLINE T initial_yield(const Plasticity& p, const PointStress<T, dim>& tr
   return select(trial.mean() > 0.0, broadcast<T>(p.tensile_strength), compressive);
 }
 
-template <class T, int dim>
-FEMSPH_INLINE Flow<T> return_to_surface(const LinearElastic& base, double hardening, const T& yield, PointStress<T, dim>& s) {
-  if constexpr (dim == 2) {
-    if (base.plane == Plane::stress) return projected_return(base, hardening, yield, s);
-  }
-  return radial_return(base, hardening, yield, s);
-}
-
 /// How much the yield stress has grown: H p, E p by hypothesis 8, the largest excess so far by hypothesis 3.
 template <class T>
 FEMSPH_INLINE T growth(const LinearElastic& base, const Plasticity& p, const T* history) {
@@ -52,7 +44,7 @@ void Plastic::flow(const Symmetric<T, dim>& increment, Symmetric<T, dim>& stress
   if (p.tension == TensionRule::principal) cut_tension(p.tensile_strength, now);
 
   if (p.integration == Integration::largest_stress) history[excess] = larger(history[excess], von_mises(now) - initial);
-  note(trial, now, step, stress, history);
+  note<false>(trial, now, step, stress, history);
 }
 
 template void Plastic::flow(const Symmetric<double, 2>&, Symmetric<double, 2>&, double*) const;

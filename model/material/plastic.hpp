@@ -5,7 +5,7 @@
 //   flow       d eps^p = dp 3 s / (2 q),  p the equivalent plastic strain
 //
 // A tension rule and the way the stress is integrated are parameters of the one law, so that it is compiled once for all of them. The
-// elastic step, the question whether any of eight points yields, and the radial return stand in the kernels; everything else is one call,
+// elastic step, the question whether any of eight points yields, and the return mapping stand in the kernels; everything else is one call,
 // flow(), which asks for the rule once. The pieces: return_mapping.hpp, no_return.hpp, tension.hpp.
 
 #include <optional>
@@ -57,6 +57,7 @@ struct Plastic {
   /// History of a point. `excess` is how far the largest equivalent stress so far passed the initial yield stress (hypothesis 3), or the flow of the last step (Johnson-Cook);
   /// `across` is the stress normal to the plane in plane strain, the plastic strain normal to the plane in plane stress.
   enum Slot { equivalent_strain, work, excess, across };
+  static constexpr int seldom = excess;  ///< the slot that few steps read
   template <int dim>
   static constexpr int history_size = dim == 2 ? 4 : 3;
   static constexpr bool path_independent = false;
@@ -75,12 +76,11 @@ struct Plastic {
         }
         return;
       }
-      if (dim == 3 || base.plane == Plane::strain) {
-        plastic::PointStress<T, dim> now = trial;
-        const plastic::Flow<T> step = plastic::radial_return(base, parameters.hardening, yield, now);
-        note(trial, now, step, stress, history);
-        return;
-      }
+      plastic::PointStress<T, dim> now = trial;
+      const plastic::Flow<T> step = plastic::return_to_surface(base, parameters.hardening, yield, now);
+      if (dim == 3 || base.plane == Plane::strain) note<true>(trial, now, step, stress, history);
+      else note<false>(trial, now, step, stress, history);
+      return;
     }
     const Symmetric<T, dim> by = increment;  // copies: what the kernel holds in registers must not have an address
     Symmetric<T, dim> to = stress;
@@ -92,18 +92,19 @@ struct Plastic {
   template <class T, int dim>
   void flow(const Symmetric<T, dim>& increment, Symmetric<T, dim>& stress, T* history) const;
 
-  /// Ends a step that led from `stress` to `now` by way of `trial`: stress and history.
-  template <class T, int dim>
+  /// Ends a step that led from `stress` to `now` by way of `trial`: stress and history. What a radial return takes has no trace.
+  template <bool traceless, class T, int dim>
   FEMSPH_INLINE void note(const plastic::PointStress<T, dim>& trial, const plastic::PointStress<T, dim>& now, const plastic::Flow<T>& step,
                           Symmetric<T, dim>& stress, T* history) const {
     history[equivalent_strain] += step.equivalent;
-    Symmetric<T, dim> mean, lost;
+    Symmetric<T, dim> sum, lost;
     for (int k = 0; k < symmetric_size<dim>; ++k) {
-      mean[k] = 0.5 * (stress[k] + now.in[k]);
+      sum[k] = stress[k] + now.in[k];
       lost[k] = trial.in[k] - now.in[k];
     }
-    const T mean_across = 0.5 * (stress_across<T, dim>(history) + now.across);
-    history[work] += compliance<T, dim>(mean, mean_across, lost, trial.across - now.across);
+    const T sum_across = stress_across<T, dim>(history) + now.across, lost_across = trial.across - now.across;
+    if constexpr (traceless) history[work] += (contract(sum, lost) + sum_across * lost_across) * (0.25 / base.mu);
+    else history[work] += 0.5 * compliance<T, dim>(sum, sum_across, lost, lost_across);
     if constexpr (dim == 2) {
       if (base.plane == Plane::strain) history[across] = now.across;
       else history[across] += step.across;

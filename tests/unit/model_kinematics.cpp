@@ -79,5 +79,30 @@ TEST(PolarRotation, LanesDoNotDisturbEachOther) {
   }
 }
 
+// All that the decomposition gives at once: R orthogonal, F = R U, U U^-1 = 1, whether by the short series, the long one or turns before it.
+TEST(PolarRotation, StretchAndItsInverseGoWithIt) {
+  std::mt19937 random(9);
+  for (const double size : {0.0, 1e-8, 1e-4, 3.9e-4, 4.1e-4, 3e-3, 0.01, 0.018, 0.02, 0.05, 0.2, 0.24, 0.26, 0.7, 2.3})
+    for (int turn = 0; turn < 300; ++turn) {
+      Matrix put_in;
+      const Matrix F = random_motion(random, size, put_in);
+      Polar<double> p;
+      polar(F, p);
+      const double large = std::exp(size), round_off = 2e-15 * large * large;
+      for (int i = 0; i < 3; ++i)
+        for (int j = 0; j < 3; ++j) {
+          double RR = 0, RU = p.R[i][j], UU = (i == j) + p.strain(i, j) + p.shrink(i, j);
+          for (int k = 0; k < 3; ++k) {
+            RR += p.R[k][i] * p.R[k][j];
+            RU += p.R[i][k] * p.strain(k, j);
+            UU += p.strain(i, k) * p.shrink(k, j);
+          }
+          ASSERT_NEAR(RR, i == j, 4e-15) << "stretch exp(" << size << ")";
+          ASSERT_NEAR(RU, F[i][j], round_off) << "stretch exp(" << size << ")";
+          ASSERT_NEAR(UU, i == j, round_off) << "stretch exp(" << size << ")";
+        }
+    }
+}
+
 }  // namespace
 }  // namespace femsph::test

@@ -1,5 +1,7 @@
 // Return mapping against closed forms, the flow rule solved again, and the three-dimensional law.
 
+#include <random>
+
 #include "model_law_support.hpp"
 #include "model/material/return_mapping.hpp"
 
@@ -106,6 +108,51 @@ TEST(Return, PlaneStressEndsAtTheRoot) {
           EXPECT_NEAR(flow.equivalent, p, round_off * p + 3e-15 * yield_stress / elastic.mu) << "nu " << nu << " k " << k << " size " << size << " direction " << direction;
           EXPECT_NEAR(von_mises(trial), double(q(low)), 1e-13 * double(q(low)));
         }
+}
+
+// Eight lanes at once, each with an overshoot of its own from none to 1000 Y: lanes that are done at once stand beside lanes that take many
+// steps, and every one ends at its root (by bisection in long double) and keeps the state that does not yield.
+TEST(Return, PlaneStressLanesEndAtTheirOwnRoots) {
+  std::mt19937 random(5);
+  std::uniform_real_distribution<double> unit(0, 1), direction(-1, 1);
+  for (int turn = 0; turn < 4000; ++turn) {
+    const LinearElastic elastic = LinearElastic::make(young, -0.9 + 1.39 * unit(random), 7850, Plane::stress);
+    const double k = turn % 4 == 0 ? 0 : std::pow(10, -4 + 4.5 * unit(random)), H = k * 3 * elastic.mu;
+    const double reach = turn % 3 == 0 ? 1e-3 : turn % 3 == 1 ? 0.3 : 1e3;  // the first two: every lane by the series, some by Newton's steps
+    PointStress<Pack, 2> trial{};
+    Pack yield{};
+    for (int l = 0; l < lanes; ++l) {
+      yield[l] = yield_stress * (0.5 + unit(random));
+      PointStress<double, 2> s{{direction(random), direction(random), direction(random)}, 0.0};
+      const double overshoot = l == 7 && turn % 2 ? -0.1 : reach * std::pow(10, -8 * unit(random)), scale = (1 + overshoot) * yield[l] / von_mises(s);
+      for (int c = 0; c < 3; ++c) trial.in[c][l] = scale * s.in[c];
+    }
+    PointStress<Pack, 2> now = trial;
+    const plastic::Flow<Pack> flow = plastic::projected_return(elastic, H, yield, now);
+    for (int l = 0; l < lanes; ++l) {
+      const long double sx = trial.in[0][l], sy = trial.in[1][l], sxy = trial.in[2][l], Y = yield[l], nu = elastic.poisson, kk = (long double)(H) / (3 * (long double)(elastic.mu));
+      const long double c = (1 + nu) / (3 * (1 - nu)), a = 0.25L * (sx + sy) * (sx + sy), b = 0.75L * (sy - sx) * (sy - sx) + 3 * sxy * sxy;
+      if (a + b <= Y * Y) {
+        EXPECT_EQ(flow.equivalent[l], 0);
+        EXPECT_EQ(flow.across[l], 0);
+        for (int i = 0; i < 3; ++i) EXPECT_EQ(now.in[i][l], trial.in[i][l]);
+        continue;
+      }
+      const auto q = [&](long double x) { return std::sqrt(a / ((1 + c * x) * (1 + c * x)) + b / ((1 + x) * (1 + x))); };
+      long double low = 0, high = kk > 0 ? std::min(1e9L, 1 / kk) : 1e9L;
+      for (int halving = 0; halving < 120; ++halving) {
+        const long double x = 0.5L * (low + high);
+        (q(x) * (1 - kk * x) > Y ? low : high) = x;
+      }
+      const double p = double(low * q(low)) / (3 * elastic.mu), size = double(q(low));
+      ASSERT_NEAR(flow.equivalent[l], p, 1e-12 * p + 1e-14 * size / elastic.mu) << "turn " << turn << " lane " << l;
+      const double u = double(0.5L * (sx + sy) / (1 + c * low)), half = double(0.5L * (sy - sx) / (1 + low));
+      ASSERT_NEAR(now.in[0][l], u - half, 1e-12 * size);
+      ASSERT_NEAR(now.in[1][l], u + half, 1e-12 * size);
+      ASSERT_NEAR(now.in[2][l], double(sxy / (1 + low)), 1e-12 * size);
+      ASSERT_NEAR(flow.across[l], -double(low) * u / (3 * elastic.mu), 1e-12 * p + 1e-14 * size / elastic.mu);
+    }
+  }
 }
 
 // Perfect plasticity, a strain path e perpendicular to s: with z = 2G|e|/R, R = sqrt(2/3) sigma_y, the angle psi between s and e obeys
