@@ -201,7 +201,7 @@ snapshots = 5
 )";
 
 /// Johnson-Cook: plastic strain, its rate and heat are carried from step to step.
-inline const char* const hot = R"(
+inline const char* const hot = R"toml(
 [model]
 plane = "none"
 motion = "large"
@@ -239,7 +239,7 @@ point = ["10 mm", "10 mm", "1 mm"]
 duration = "200 us"
 samples = 50
 snapshots = 5
-)";
+)toml";
 
 /// Cells from a file.
 inline const char* const meshed = R"(
