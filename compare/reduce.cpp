@@ -36,6 +36,16 @@ double integral_of(const Curve& curve) {
   return integral;
 }
 
+/// From the first to the last value that is not zero.
+double duration_of(const Curve& curve) {
+  std::optional<double> from;
+  double to = 0;
+  for (std::size_t i = 0; i < curve.at.size(); ++i)
+    if (curve.value[i] != 0) from = from.value_or(curve.at[i]), to = curve.at[i];
+  if (!from) throw std::runtime_error("the history is zero at all times, so it has no duration");
+  return to - *from;
+}
+
 double mean(const Curve& curve) {
   const double integral = integral_of(curve);
   const double span = curve.at.back() - curve.at.front();
@@ -87,6 +97,8 @@ double reduce_history(const Curve& curve, Reduce reduce) {
       return mean(curve);
     case Reduce::integral:
       return integral_of(curve);
+    case Reduce::duration:
+      return duration_of(curve);
     case Reduce::frequency:
     case Reduce::period:
       break;
@@ -215,7 +227,7 @@ Reduced reduce(const QuantitySpec& quantity, const RunResult& result, const Scen
   if (quantity.reduce == Reduce::excess) return {excess(quantity, result, scene) / quantity.observed.unit.factor, {}, {}, {}, {}};
   if (quantity.reduce == Reduce::l2) return reduce_l2(quantity, result, scene, limit);
   Observed observed = quantity.observed;
-  const bool of_time = quantity.reduce == Reduce::frequency || quantity.reduce == Reduce::period;
+  const bool of_time = quantity.reduce == Reduce::frequency || quantity.reduce == Reduce::period || quantity.reduce == Reduce::duration;
   if (of_time || quantity.reduce == Reduce::moment || quantity.reduce == Reduce::integral) observed.unit.factor = 1;  // the unit is that of the result
   const Curve curve = within(curve_of(observed, result), quantity.window);
   double value;

@@ -38,8 +38,8 @@ struct Observed {
   Unit unit;
 };
 
-/// `integral`: of a force over time; `excess`: largest amount by which an equivalent stress lies above its yield curve, yield + H p, over the yield stress; `moment`: of a section's axial stress about its middle, integral sigma_xx (y - y0) dA.
-enum class Reduce { final, max, min, peak, mean, frequency, period, integral, fibre_upper, fibre_lower, l2, moment, excess };
+/// `integral`: of a force over time; `duration`: from the first to the last sample that is not zero, as a time of contact; `excess`: largest amount by which an equivalent stress lies above its yield curve, yield + H p, over the yield stress; `moment`: of a section's axial stress about its middle, integral sigma_xx (y - y0) dA.
+enum class Reduce { final, max, min, peak, mean, frequency, period, integral, duration, fibre_upper, fibre_lower, l2, moment, excess };
 enum class SignRule { as_is, reversed, magnitude };
 
 /// A number to take from every run.

@@ -20,6 +20,7 @@ const std::vector<std::pair<std::string, Reduce>> reductions = {{"final", Reduce
                                                                 {"frequency", Reduce::frequency},
                                                                 {"period", Reduce::period},
                                                                 {"integral", Reduce::integral},
+                                                                {"duration", Reduce::duration},
                                                                 {"fibre_upper", Reduce::fibre_upper},
                                                                 {"fibre_lower", Reduce::fibre_lower},
                                                                 {"l2", Reduce::l2},
@@ -184,7 +185,7 @@ void one_quantity(Fields& fields, StudyReading& reading) {
   quantity.methods = read_names(fields, "methods", method_labels(reading.study), "method");
   const auto reduce = fields.choice<Reduce>("reduce", Need::optional, reductions);
   quantity.reduce = reduce.value_or(Reduce::final);
-  const std::string si = quantity.reduce == Reduce::frequency ? "Hz" : quantity.reduce == Reduce::period ? "s" : quantity.reduce == Reduce::integral ? "N s" : quantity.reduce == Reduce::l2 ? "1" : quantity.reduce == Reduce::moment ? "N m" : "";
+  const std::string si = quantity.reduce == Reduce::frequency ? "Hz" : quantity.reduce == Reduce::period || quantity.reduce == Reduce::duration ? "s" : quantity.reduce == Reduce::integral ? "N s" : quantity.reduce == Reduce::l2 ? "1" : quantity.reduce == Reduce::moment ? "N m" : "";
   quantity.observed = read_observed(fields, quantity.scene, si, reading.study);
   if (quantity.reduce == Reduce::l2) quantity.observed.unit = {"%", 1};
   if (quantity.reduce == Reduce::excess) {

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <stdexcept>
 
 #include "compare/beam.hpp"
@@ -21,6 +22,22 @@ Theory from(LoadedBox (*box_of)(const Scene&), const char* name, const char* uni
             const LoadedBox box = box_of(scene);
             return value(box, at[0] - box.origin[0], at[1] - box.origin[1] - box.height / 2, time);
           }};
+}
+
+/// A body of perfect plasticity, strained to its yield surface by one deviatoric gradient and then steadily by another across it: the deviator s of
+/// constant size S = sqrt(2/3) sigma_y turns to the strain rate e by d theta/dt = -(2G |e| / S) sin theta, from a right angle (Prandtl-Reuss).
+double return_path_xx(const Scene& scene, double time) {
+  const auto inner = [](const Matrix& a, const Matrix& b) { return a[0][0] * b[0][0] + a[1][1] * b[1][1] + a[2][2] * b[2][2]; };
+  const Material& m = scene.material_of(scene.bodies.at(0));
+  if (!m.plasticity || m.plasticity->hardening != 0 || scene.initial_displacements.size() != 1 || scene.initial_velocities.size() != 1)
+    throw std::runtime_error("this theory is of a material without hardening, with one initial displacement and one initial velocity");
+  const Matrix &a = scene.initial_displacements[0].gradient, &b = scene.initial_velocities[0].gradient;
+  const double size_a = std::sqrt(inner(a, a)), size_b = std::sqrt(inner(b, b)), shear = m.young / (2 * (1 + m.poisson));
+  const double S = std::sqrt(2.0 / 3) * m.plasticity->yield;
+  if (!(size_b > 0) || std::abs(inner(a, b)) > 1e-9 * size_a * size_b || !(2 * shear * size_a >= S))
+    throw std::runtime_error("this theory is of an initial strain beyond yield and a rate of strain across it, along the axes");
+  const double theta = 2 * std::atan(std::exp(-2 * shear * size_b * time / S));
+  return S * (std::sin(theta) * a[0][0] / size_a + std::cos(theta) * b[0][0] / size_b);
 }
 
 Theory bar(const char* name, const char* unit, const char* formula, Depends depends, BoxValue value) {
@@ -52,6 +69,8 @@ std::vector<Theory> all() {
           [](const B& b, double, double, double t) { return bar_end_history(b, t); }),
       bar("bar_stress_history", "Pa", "fronts of F/A that start at the loaded end", Depends::on_place_and_time,
           [](const B& b, double x, double, double t) { return bar_stress_history(b, x, t); }),
+      {"return_path_xx", "Pa", "theta = 2 atan(exp(-z)) between deviator and strain rate, without hardening; sigma_xx", Depends::on_time,
+       [](const Scene& scene, const Point&, double t) { return return_path_xx(scene, t); }},
       {"impact_stress", "Pa", "yield + rho c_p (V - V_y), behind the plastic front (compression: below 0)", Depends::on_nothing,
        [](const Scene& scene, const Point&, double) { return -impact_of(scene).stress(); }},
       {"impact_strain", "1", "yield/E + (V - V_y)/c_p, behind the plastic front (compression: below 0)", Depends::on_nothing,

@@ -47,7 +47,9 @@ Layout interleaved(const Mesh& mesh, const Batches& batches) {
   return {mesh.node_count(), mesh.dim, dim, 1, 0, round_up(batches.slots * dim, lanes)};
 }
 
-bool is_curved(const Shape& shape) { return dynamic_cast<const Round*>(&shape) || dynamic_cast<const Ball*>(&shape); }
+bool is_curved(const Shape& shape) {
+  return dynamic_cast<const Round*>(&shape) || dynamic_cast<const Ball*>(&shape) || dynamic_cast<const OwnBall*>(&shape);
+}
 
 }  // namespace
 

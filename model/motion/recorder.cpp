@@ -64,6 +64,13 @@ Recorder::Recorder(const March& march) {
   if (!scene.contacts.empty()) history_.add("contact_energy", "J"), history_.add("friction_loss", "J");
   for (const Contact& contact : scene.contacts)
     for (const char a : axes) history_.add(fmt::format("contact_{}_force_{}", contact.name, a), "N");
+  for (const Support& support : scene.supports) {
+    if (support.name.empty()) continue;
+    reactions_.push_back({&support, {}});
+    for (const Weight& w : march.body(support.place.body).discretization->points_of(support.place)) reactions_.back().points.push_back(w.point);
+    for (const char a : axes) history_.add(fmt::format("support_{}_force_{}", support.name, a), "N");
+    for (const char a : scene.dim() == 2 ? std::string("z") : axes) history_.add(fmt::format("support_{}_moment_{}", support.name, a), "N m");
+  }
   for (const Section& section : scene.sections) {
     Line line{&section, {}, {}};
     double length = 0;
@@ -130,6 +137,40 @@ void Recorder::sample(const March& march) {
   if (!march.scene().contacts.empty()) put(l.contact), put(l.friction);
   for (const Point& force : march.contact_forces())
     for (int c = 0; c < dim; ++c) put(force[c]);
+  for (const Reaction& at : reactions_) {
+    const auto [force, moment] = reaction(march, at);
+    for (int c = 0; c < dim; ++c) put(force[c]);
+    for (int c = dim == 2 ? 2 : 0; c < 3; ++c) put(moment[c]);
+  }
+}
+
+/// The reaction balances every other force on a held component, which has no inertia of its own in the march.
+std::array<Point, 2> Recorder::reaction(const March& march, const Reaction& at) const {
+  const MovingBody& body = march.body(at.support->place.body);
+  const Layout& layout = body.discretization->layout();
+  const auto place = [&](std::size_t i) {
+    Point x = body.discretization->position(i);
+    for (int c = 0; c < layout.dim; ++c) x[c] += body.u[layout.at(i, c)];
+    return x;
+  };
+  Point middle{};
+  for (const std::size_t i : at.points)
+    for (int c = 0; c < layout.dim; ++c) middle[c] += place(i)[c] / double(at.points.size());
+  std::array<Point, 2> sum{};
+  for (const std::size_t i : at.points) {
+    Point f{}, arm = place(i);
+    for (int c = 0; c < layout.dim; ++c) {
+      const std::size_t slot = layout.at(i, c);
+      if (at.support->fixed[c]) f[c] = -body.f[slot] - (body.viscous.empty() ? 0.0 : body.viscous[slot]);
+      arm[c] -= middle[c];
+    }
+    for (int c = 0; c < 3; ++c) {
+      const int a = (c + 1) % 3, b = (c + 2) % 3;
+      sum[0][c] += f[c];
+      sum[1][c] += arm[a] * f[b] - arm[b] * f[a];
+    }
+  }
+  return sum;
 }
 
 void Recorder::state(Archive& archive) {

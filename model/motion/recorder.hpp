@@ -19,7 +19,7 @@ class Recorder {
   /// Finds the weights of every probe and section point once.
   explicit Recorder(const March& march);
 
-  /// One row of the history: time, every probe's components (NAME_x, ..), energies in J.
+  /// One row of the history: time, every probe's components (NAME_x, ..), energies in J, rigid bodies, contacts, reactions.
   void sample(const March& march);
   const History& history() const { return history_; }
   void state(Archive& archive);  ///< the rows so far
@@ -42,6 +42,13 @@ class Recorder {
     std::vector<Reading> points;
   };
   std::vector<Line> lines_;
+  struct Reaction {
+    const Support* support;
+    std::vector<std::size_t> points;
+  };
+  /// Force (N) of the support on its body, and its moment (N m) about the mean place of the points it holds now; x, y, z.
+  std::array<Point, 2> reaction(const March& march, const Reaction& at) const;
+  std::vector<Reaction> reactions_;
   History history_;
 };
 

@@ -76,6 +76,17 @@ bool something_moves(const Scene& scene) {
                      [](const auto& v) { return !is_zero(v.velocity) || !is_zero(v.spin) || !is_zero(v.gradient); });
 }
 
+/// Empty unless the support's reaction is asked for.
+std::string read_support_name(Fields& fields, const Reading& reading) {
+  const auto name = fields.text("name", Need::optional);
+  if (!name) return {};
+  if (!usable_name(*name))
+    fields.fault("name", fmt::format("the name {} cannot be used; expected letters, digits, _ and - (at most 64: it names columns)", in_quotes(*name)));
+  for (const Support& other : reading.scene.supports)
+    if (other.name == *name) return fields.fault("name", fmt::format("the name {} is taken; expected a name that no other support has", in_quotes(*name))), std::string();
+  return *name;
+}
+
 }  // namespace
 
 void read_supports(Fields& root, Reading& reading) {
@@ -89,14 +100,16 @@ void read_supports(Fields& root, Reading& reading) {
     const auto mean = fields.choice<bool>("mode", Need::optional, {{"each", false}, {"mean", true}});
     const auto velocity = fields.vector("velocity", Need::optional, dimension::velocity, reading.dim);
     const auto history = read_history(fields);
+    const std::string name = read_support_name(fields, reading);
     fields.done();
+    if (!name.empty() && mean == true) fields.fault("name", "\"name\" with mode = \"mean\"; expected it only on a support that holds every point");
     if (velocity && mean == true) fields.fault("velocity", "\"velocity\" with mode = \"mean\"; expected it only on a support that holds every point");
     if (fields.has("history") && !fields.has("velocity")) fields.fault("history", "\"history\" without \"velocity\"; expected both, or neither");
     if (velocity && fixed)
       for (int c = 0; c < 3; ++c)
         if (!(*fixed)[c] && (*velocity)[c] != 0)
           fields.fault("velocity", fmt::format("\"velocity\" moves {0}, which this support does not hold; expected 0 there, or \"{0}\" in \"fix\"", "xyz"[c]));
-    if (place && fixed && history) reading.scene.supports.push_back({*place, *fixed, {}, mean.value_or(false), velocity.value_or(Point{}), *history});
+    if (place && fixed && history) reading.scene.supports.push_back({*place, *fixed, {}, mean.value_or(false), velocity.value_or(Point{}), *history, name});
   }
 }
 

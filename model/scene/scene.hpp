@@ -68,6 +68,7 @@ struct Support {
   bool mean = false;            ///< only the weighted mean over the place is held, so that the place may turn
   Point velocity{};             ///< m/s: the held components move so, times `history`
   TimeHistory history{};
+  std::string name{};           ///< its reaction is in the history under this; empty: not asked for
 };
 
 /// A plane side of a body beyond which the body goes on, mirrored; its normal displacement is zero.

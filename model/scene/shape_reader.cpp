@@ -76,6 +76,20 @@ ShapePointer read_round(Fields& body, int dim, const std::filesystem::path&) {
   return std::make_shared<Round>(dim, size);
 }
 
+ShapePointer read_own_ball(Fields& body, int dim, const std::filesystem::path&) {
+  using Part = OwnBall::Part;
+  const auto centre = body.vector("centre", Need::required, dimension::length, dim);
+  const auto radius = body.quantity("radius", Need::required, dimension::length, Sign::positive);
+  const auto axis = body.choice<int>("axis", Need::optional, {{"x", 0}, {"y", 1}, {"z", 2}});
+  const auto part = body.choice<Part>("part", Need::optional, {{"whole", Part::whole}, {"half", Part::half}, {"quarter", Part::quarter}});
+  const auto finer = body.number("finer", Need::optional);
+  if (dim == 2) return body.fault("shape", "a ball in a plane scene; expected \"disc\""), nullptr;
+  if (finer && !(*finer >= 1 && *finer <= 20))
+    return body.fault("finer", fmt::format("\"finer\" is {:g}; expected how many times finer the cells are at the pole, from 1 to 20", *finer)), nullptr;
+  if (!centre || !radius || !dim) return nullptr;
+  return std::make_shared<OwnBall>(OwnBall::Size{*centre, *radius, axis.value_or(2), part.value_or(Part::whole), finer.value_or(1.0)});
+}
+
 ShapePointer read_quadrilateral(Fields& body, int dim, const std::filesystem::path&) {
   std::array<Point, 4> corners;
   bool all = true;
@@ -101,7 +115,8 @@ using Reader = ShapePointer (*)(Fields&, int, const std::filesystem::path&);
 /// Every shape a scene can name.
 const std::vector<std::pair<std::string, Reader>> shapes = {
     {"box", read_box},           {"disc", read_ball<2>},           {"sphere", read_ball<3>},          {"mesh", read_mesh},
-    {"ring", read_round<2, true>}, {"cylinder", read_round<3, false>}, {"tube", read_round<3, true>}, {"quadrilateral", read_quadrilateral}};
+    {"ring", read_round<2, true>}, {"cylinder", read_round<3, false>}, {"tube", read_round<3, true>}, {"quadrilateral", read_quadrilateral},
+    {"ball", read_own_ball}};
 
 }  // namespace
 

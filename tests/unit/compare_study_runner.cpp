@@ -244,6 +244,22 @@ TEST(Reduce, AnOffsetIsAddedToTheValue) {
   EXPECT_NEAR(reduce(quantity, r, cantilever(), nullptr).value, 42, 1e-12);
 }
 
+TEST(Reduce, DurationIsFromTheFirstToTheLastSampleThatIsNotZero) {
+  RunResult r = result(1, 1, 0.01);
+  r.history.columns[0].values = {0, 1e-6, 2e-6, 3e-6, 4e-6, 5e-6, 6e-6};
+  r.history.columns[1].values = {0, 0, 3, 0, -1, 0, 0};  // with a gap inside
+  QuantitySpec quantity;
+  quantity.name = "contact";
+  quantity.observed = {"tip", "", "", "", "y", {"us", 1e-6}};
+  quantity.reduce = Reduce::duration;
+  quantity.reference = 2.5;
+  const Reduced reduced = reduce(quantity, r, cantilever(), nullptr);
+  EXPECT_DOUBLE_EQ(reduced.value, 2);
+  EXPECT_NEAR(*reduced.error_percent, -20, 1e-9);
+  r.history.columns[1].values.assign(7, 0);
+  EXPECT_THAT([&] { reduce(quantity, r, cantilever(), nullptr); }, testing::ThrowsMessage<std::runtime_error>(HasSubstr("has no duration")));
+}
+
 // gnuplot itself may be missing; either way the reason is one message.
 TEST(Figures, AFailingScriptIsOneClearMessage) {
   const Folder folder("figures");

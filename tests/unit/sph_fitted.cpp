@@ -1,6 +1,7 @@
 // Particles that follow round and slanted sides: true mass, exact linear fields, a boundary that is the side, mirror images that make a
 // quarter the whole; and a pressed ring against Lame.
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -109,6 +110,24 @@ TEST(Fitted, PressedRing) {
   for (const Weight& w : inner)
     mean += w.weight * std::hypot(body.u[body.discretization->layout().at(w.point, 0)], body.u[body.discretization->layout().at(w.point, 1)]);
   EXPECT_NEAR(mean, exact, 0.02 * exact);
+}
+
+TEST(Fitted, ABallHasItsMassAndOneSmoothingLength) {
+  const auto ball = [](double finer) { return std::make_shared<OwnBall>(OwnBall::Size{{0, 0, 0}, 0.01, 2, OwnBall::Part::quarter, finer}); };
+  const double exact = 7850 * ball(1)->measure();
+  double before = 0;
+  for (const double spacing : {0.002, 0.001}) {
+    const auto d = sph::discretize(scene_of(ball(1), Plane::none), 0, options(spacing));
+    const double missing = 1 - std::accumulate(d->mass().begin(), d->mass().end(), 0.0) / exact;
+    EXPECT_GT(missing, 0);  // chords for arcs
+    if (before > 0) {
+      EXPECT_LT(missing, 0.35 * before);
+    }
+    before = missing;
+  }
+  EXPECT_LT(before, 0.01);
+  EXPECT_THAT([&] { sph::discretize(scene_of(ball(4), Plane::none), 0, options(0.001)); },
+              testing::ThrowsMessage<std::runtime_error>(testing::HasSubstr("SPH has one smoothing length, but the quarter ball of radius 10 mm, 4 times finer at z- has cells of many sizes")));
 }
 
 }  // namespace

@@ -7,12 +7,15 @@
 
 #include <filesystem>
 #include <fstream>
+#include <regex>
 #include <sstream>
 
 #include "compare/capacity.hpp"
 #include "compare/run.hpp"
 #include "model/numerics/parallel.hpp"
+#include "model/motion/march.hpp"
 #include "model/scene/reader.hpp"
+#include "tests/unit/model_results_hdf5.hpp"
 
 namespace femsph::compare {
 namespace {
@@ -91,6 +94,53 @@ TEST(Watches, ACornerPushedThroughTurnsUnitsInsideOut) {
       EXPECT_THAT(described, AllOf(HasSubstr("last good state, step "), HasSubstr("fields/last_good.h5:/body0/displacement"), HasSubstr("fields/bodies.h5")));
       EXPECT_TRUE(fs::exists(out.path / "fields/last_good.h5"));
       EXPECT_TRUE(fs::exists(out.path / "fields/bodies.h5"));
+    }
+}
+
+/// Displacement and velocity of every point as fields hold them, three components a point, of a march that goes to `step` by itself and stops there.
+std::array<std::vector<double>, 2> state_at(const Scene& scene, const char* method, double spacing, long step) {
+  struct Reached {};
+  std::vector<std::unique_ptr<Discretization>> bodies;
+  bodies.push_back(discretize(scene, 0, method_named(method), {spacing, {}}));
+  March march(scene, std::move(bodies), {});
+  std::array<std::vector<double>, 2> found;
+  MarchEvents events;
+  events.between = [&](March& m) {
+    if (m.step() != step) return;
+    const MovingBody& body = m.bodies()[0];
+    const Layout& at = body.discretization->layout();
+    for (std::size_t i = 0; i < at.points; ++i)
+      for (int c = 0; c < 3; ++c) {
+        found[0].push_back(c < at.dim ? body.u[at.at(i, c)] : 0);
+        found[1].push_back(c < at.dim ? body.v[at.at(i, c)] : 0);
+      }
+    throw Reached();
+  };
+  try {
+    march.run(events);
+  } catch (const Reached&) {
+  }
+  return found;
+}
+
+TEST(Watches, TheLastGoodStateIsThatOfTheStepThatTheMessageNames) {
+  for (const char* plane : {"stress", "none"})
+    for (const char* method : {"fem-full", "fem-assumed-strain", "sph-corrected"}) {
+      SCOPED_TRACE(std::string(method) + " " + plane);
+      const Folder out;
+      const Scene scene = block("x+ y+", *plane == 'n' ? "\"-8 kN\", \"-8 kN\"" : "\"-15 kN\", \"-15 kN\"", plane);
+      const std::string said = stopped(scene, method, 0.02, out.path).what();
+      std::smatch found;
+      ASSERT_TRUE(std::regex_search(said, found, std::regex("stopped at step (\\d+).*the last good state \\(step (\\d+), t = "))) << said;
+      const long step = std::stol(found[2]);
+      EXPECT_GT(step, 0);
+      EXPECT_LT(step, std::stol(found[1]));
+      EXPECT_THAT(text_of(out.path / "last_good.xdmf"), HasSubstr(fmt::format("last good state, step {}", step)));
+      const auto expected = state_at(scene, method, 0.02, step);
+      ASSERT_FALSE(expected[0].empty());
+      const std::string file = (out.path / "fields/last_good.h5").string();
+      EXPECT_EQ(test::read_hdf5(file, "/body0/displacement").values, expected[0]);
+      EXPECT_EQ(test::read_hdf5(file, "/body0/velocity").values, expected[1]);
     }
 }
 
