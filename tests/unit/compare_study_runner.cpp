@@ -257,7 +257,7 @@ TEST(Reduce, DurationIsFromTheFirstToTheLastSampleThatIsNotZero) {
   EXPECT_DOUBLE_EQ(reduced.value, 2);
   EXPECT_NEAR(*reduced.error_percent, -20, 1e-9);
   r.history.columns[1].values.assign(7, 0);
-  EXPECT_THAT([&] { reduce(quantity, r, cantilever(), nullptr); }, testing::ThrowsMessage<std::runtime_error>(HasSubstr("has no duration")));
+  EXPECT_THAT([&] { reduce(quantity, r, cantilever(), nullptr); }, ::testing::ThrowsMessage<std::runtime_error>(HasSubstr("has no duration")));
 }
 
 // gnuplot itself may be missing; either way the reason is one message.
