@@ -61,13 +61,15 @@ struct TensorRecords {
   }
   FEMSPH_INLINE static void gather(const double* q, const std::int32_t* index, Pack (&Q)[size]) {
     Pack m[lanes];
+    Pack last{};
     for (int l = 0; l < lanes; ++l) {
       const double* record = q + std::ptrdiff_t(index[l]) * size;
       m[l] = load_unaligned<Pack>(record);
-      Q[8][l] = record[8];
+      last[l] = record[8];
     }
     transpose(m);
     for (int k = 0; k < lanes; ++k) Q[k] = m[k];
+    Q[8] = last;
   }
 };
 
