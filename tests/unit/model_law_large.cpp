@@ -151,7 +151,8 @@ struct Driven {
   Plastic law;
   double state[point_state_size<Plastic, dim>] = {};
   Symmetric<double, dim> strain{}, tau{};
-  Tensor<double, dim> R{}, now{};
+  LargeStrain::Frame<double, dim> R{};
+  Tensor<double, dim> now{};
 };
 
 // Bar pulled to four times its length under uniaxial stress: the cross stretch is found in each step so that tau_yy = tau_zz = 0.
