@@ -42,9 +42,12 @@ std::string scalar_unit(const std::string& scalar) {
   return "1";
 }
 
-/// What the other columns of a history hold (model/motion/README.md): contact_NAME_force_x, and of a rigid body NAME_x, NAME_vx, NAME_turn.
+/// What the other columns of a history hold (model/motion/README.md): contact_NAME_force_x, support_NAME_force_x, support_NAME_moment_z, and of a
+/// rigid body NAME_x, NAME_vx, NAME_turn.
 std::string column_unit(const std::string& column) {
-  if (column.starts_with("contact_") && column.find("_force_") != std::string::npos) return "N";
+  const bool action = column.starts_with("contact_") || column.starts_with("support_");
+  if (action && column.find("_force_") != std::string::npos) return "N";
+  if (action && column.find("_moment_") != std::string::npos) return "N m";
   if (column.ends_with("_vx") || column.ends_with("_vy") || column.ends_with("_vz")) return "m/s";
   return column.ends_with("_turn") ? "1" : "m";
 }
