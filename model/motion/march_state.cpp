@@ -8,6 +8,7 @@ void March::state(Archive& archive) {
   archive("step", step_);
   archive("dt", dt_);
   archive.below("step control", [&] {
+    archive("first", price_.dt);
     archive("critical", critical_now_);
     archive("next", next_dt_);
     archive("smallest", smallest_step_);

@@ -73,13 +73,13 @@ void March::follow_deformation() {
     fail(Stopped::Watch::step, where(), fmt::format("it is crushed so far that the largest stable step has fallen to {:.3g} s, {:.2g} % of the undeformed body's", critical_now_, 100 * share),
          "the load is more than this discretization can follow: try a gentler load, other divisions there, a finer spacing, or a stronger material");
   if (given_step_) {
-    if (dt_ > critical_now_)
+    if (dt_ > (1 + 1e-9) * critical_now_)
       fail(Stopped::Watch::step, where(), fmt::format("the step of {:.4g} s is over the limit: deformed as it is now, the body bears {:.4g} s", dt_, critical_now_),
            fmt::format("march without --step, and the step follows the deformation, or with --step {:.2g}", 0.8 * critical_now_));
     return;
   }
   const double limit = safety_ * critical_now_;
-  if (dt_ > limit) next_dt_ = reserve * limit;
+  if (dt_ > (1 + 1e-9) * limit) next_dt_ = reserve * limit;  // round-off of an undeformed body is no deformation
   if (step_ == 0) dt_ = price_.dt = smallest_step_ = next_dt_;
 }
 
