@@ -106,7 +106,6 @@ TEST(Deformed, TheBoundHoldsForEveryMethodAndLaw) {
           const double before = largest(*d.body, [&](const Vector& x, Vector& y) { d.body->stiffness(x.data(), y.data()); });
           const double ratio = largest_now(d) / before;
           const std::string what = std::string(method) + (solid ? " 3D" : " 2D") + (neo_hookean ? " neo-Hookean" : " plastic") + " crushed by " + std::to_string(crush);
-          std::printf("%-60s true %.3f bound %.3f\n", what.c_str(), ratio, bound->ratio);
           EXPECT_LE(ratio, 1.001 * bound->ratio) << what;
           EXPECT_GE(ratio, 0.6 * bound->ratio) << what;
         }
