@@ -237,7 +237,7 @@ template <class T>
 void put(std::string& bytes, const std::vector<T>& list) {
   const std::size_t n = list.size();
   bytes.append(reinterpret_cast<const char*>(&n), sizeof n);
-  bytes.append(reinterpret_cast<const char*>(list.data()), n * sizeof(T));
+  if (n > 0) bytes.append(reinterpret_cast<const char*>(list.data()), n * sizeof(T));
 }
 
 template <class T>
@@ -245,7 +245,7 @@ std::vector<T> take(const std::string& bytes, std::size_t& at) {
   std::size_t n = 0;
   std::memcpy(&n, bytes.data() + at, sizeof n);
   std::vector<T> list(n);
-  std::memcpy(list.data(), bytes.data() + at + sizeof n, n * sizeof(T));
+  if (n > 0) std::memcpy(list.data(), bytes.data() + at + sizeof n, n * sizeof(T));  // an empty list may hold no address
   at += sizeof n + n * sizeof(T);
   return list;
 }

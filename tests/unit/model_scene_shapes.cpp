@@ -148,6 +148,14 @@ TEST(Gmsh, EveryVersionOfTheFormat) {
     }
 }
 
+TEST(Gmsh, MeshWithoutGroups) {
+  const CellMesh mesh = read_gmsh(folder + "no_groups.msh", 2, 1.0);
+  EXPECT_EQ(mesh.cells.size(), 2u);
+  EXPECT_EQ(mesh.facets.size(), 0u);
+  EXPECT_EQ(mesh.groups.size(), 0u);
+  EXPECT_DOUBLE_EQ(MeshShape(mesh, "no_groups.msh").measure(), 6);
+}
+
 // Gmsh itself does not survive all of these: each damaged file is read, or refused with one sentence that names it.
 TEST(Gmsh, DamagedFilesAreRefusedWithOneSentence) {
   const std::string file = testing::TempDir() + "femsph_damaged.msh";
