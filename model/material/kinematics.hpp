@@ -273,6 +273,13 @@ template <class LawType, int dim>
 inline constexpr int point_state_size =
     LawType::path_independent ? 0 : 2 * symmetric_size<dim> + LawType::template history_size<dim>;
 
+/// Whether most steps read a slot of the law's history: all but the one that it calls seldom.
+template <class LawType>
+constexpr bool often_read(int slot) {
+  if constexpr (requires { LawType::seldom; }) return slot != LawType::seldom;
+  return true;
+}
+
 /// Where the law's own history stands in that state.
 template <class LawType, int dim, class T>
 FEMSPH_INLINE T* history_of(T* state) {
@@ -295,7 +302,7 @@ FEMSPH_INLINE Symmetric<T, dim> advance_law(const LawType& law, const Symmetric<
       asm("" : "+r"(ahead));  // hides from the compiler's warnings that the next line may point beyond the array
       ahead += 2 * size;
       for (int k = 0; k < size; ++k)
-        if (k != 2 * n + LawType::seldom) __builtin_prefetch(ahead + k, 1);
+        if (often_read<LawType>(k - 2 * n)) __builtin_prefetch(ahead + k, 1);
     }
     Symmetric<T, dim> stress, before;
     for (int k = 0; k < n; ++k) {

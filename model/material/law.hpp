@@ -10,7 +10,8 @@
 //   elastic()              its elastic part (for the critical step and hourglass stiffness),
 //   stored_energy(strain, stress, history)   J/m^3,
 //   thickness_stress(strain, stress, history), thickness_strain(strain, stress, history)   what happens across the plane in 2D,
-//   set_step(dt)           only if it depends on the rate of strain: the step that comes, s;  seldom: the slot of history few steps read,
+//   set_step(dt)           only if it depends on the rate of strain: the step that comes, s,
+//   seldom                 only if few steps read one slot of its history: which,
 //   stiffening(g, J)       only if its tangent grows with the deformation: stiffening.hpp,
 //   large_motion_only      only if it is made for large motion alone,
 //   plastic_strain(history), plastic_work(history)   only if not path_independent: equivalent plastic strain; work not stored, J/m^3.

@@ -19,13 +19,12 @@ namespace fem {
 template <class ElementType>
 std::unique_ptr<CellLoop> plane_loop(const LoopInput& in) {
   if (in.mesh->dim != 2 || in.scalar_kernel) absent();
-  return std::visit(
-      [&](const auto& law) -> std::unique_ptr<CellLoop> {
-        using LawType = std::decay_t<decltype(law)>;
-        if (in.large_motion) return std::make_unique<Loop<ElementType, FiniteRotation, LawType, 2, Pack>>(in, law);
-        return std::make_unique<Loop<ElementType, SmallStrain, LawType, 2, Pack>>(in, law);
-      },
-      in.law);
+  if (const auto* elastic = std::get_if<LinearElastic>(&in.law)) {
+    if (in.large_motion) return std::make_unique<Loop<ElementType, FiniteRotation, LinearElastic, 2, Pack>>(in, *elastic);
+    return std::make_unique<Loop<ElementType, SmallStrain, LinearElastic, 2, Pack>>(in, *elastic);
+  }
+  if (in.large_motion) absent();
+  return std::make_unique<Loop<ElementType, SmallStrain, Plastic, 2, Pack>>(in, std::get<Plastic>(in.law));
 }
 std::unique_ptr<CellLoop> make_full_loop(const LoopInput& in) { return plane_loop<FullElement>(in); }
 std::unique_ptr<CellLoop> make_one_point_loop(const LoopInput& in) { return plane_loop<OnePointElement>(in); }
@@ -39,18 +38,19 @@ namespace sph {
 template <int dim>
 std::unique_ptr<Discretization> total_lagrangian(const Scene& scene, std::size_t body, const Options& options, Particles particles, const Kernel& kernel) {
   if constexpr (dim == 2) {
-    return std::visit(
-        [&](const auto& law) -> std::unique_ptr<Discretization> {
-          using LawType = std::decay_t<decltype(law)>;
-          const auto with = [&]<class Kinematics, Correction correction>() -> std::unique_ptr<Discretization> {
-            return std::make_unique<TotalLagrangian<2, LatticeStencils<2>, Kinematics, LawType, correction>>(scene, body, options, std::move(particles), kernel, law);
-          };
-          if (options.formulation == Formulation::classic) return with.template operator()<SmallStrain, Correction::none>();
-          if (scene.large_motion) return with.template operator()<FiniteRotation, Correction::matrix_and_hourglass>();
-          return options.hourglass > 0 ? with.template operator()<SmallStrain, Correction::matrix_and_hourglass>()
-                                       : with.template operator()<SmallStrain, Correction::matrix>();
-        },
-        scene.material_of(scene.bodies[body]).law(scene.plane));
+    const auto with = [&]<class Kinematics, Correction correction>(const auto& law) -> std::unique_ptr<Discretization> {
+      using LawType = std::decay_t<decltype(law)>;
+      return std::make_unique<TotalLagrangian<2, LatticeStencils<2>, Kinematics, LawType, correction>>(scene, body, options, std::move(particles), kernel, law);
+    };
+    const Law law = scene.material_of(scene.bodies[body]).law(scene.plane);
+    const bool classic = options.formulation == Formulation::classic, hourglass = options.hourglass > 0;
+    if (const auto* elastic = std::get_if<LinearElastic>(&law)) {
+      if (classic) return with.template operator()<SmallStrain, Correction::none>(*elastic);
+      if (scene.large_motion) return with.template operator()<FiniteRotation, Correction::matrix_and_hourglass>(*elastic);
+      return hourglass ? with.template operator()<SmallStrain, Correction::matrix_and_hourglass>(*elastic) : with.template operator()<SmallStrain, Correction::matrix>(*elastic);
+    }
+    if (classic || scene.large_motion || !hourglass) absent();
+    return with.template operator()<SmallStrain, Correction::matrix_and_hourglass>(std::get<Plastic>(law));
   } else {
     absent();
   }

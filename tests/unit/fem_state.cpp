@@ -17,7 +17,6 @@ struct Incremental {
   template <int dim>
   static constexpr int history_size = 1;
   static constexpr bool path_independent = false;
-  static constexpr int seldom = -1;
   template <class T, int dim>
   FEMSPH_INLINE void update(const Symmetric<T, dim>& increment, Symmetric<T, dim>& stress, T* history) const {
     const Symmetric<T, dim> d = law.stress(increment);

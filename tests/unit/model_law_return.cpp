@@ -76,7 +76,7 @@ TEST(Return, PlaneStressSolvesTheFlowRule) {
   }
 }
 
-// The projected return's steps end within 1e-13 of the root, whatever the lateral strain, the hardening, the direction and the size of the trial
+// The projected return's steps end at the root to round-off, whatever the lateral strain, the hardening, the direction and the size of the trial
 // stress. The root by bisection in long double: x of a / (1 + c x)^2 + b / (1 + x)^2 = (Y / (1 - k x))^2, k = H/3G, and then p = x q / 3G.
 TEST(Return, PlaneStressEndsAtTheRoot) {
   for (const double nu : {-0.9, -0.5, 0.0, 0.3, 0.49})
@@ -99,13 +99,10 @@ TEST(Return, PlaneStressEndsAtTheRoot) {
           }
           const plastic::Flow<double> flow = plastic::projected_return(elastic, double(H), yield_stress, trial);
           const double p = double(low * q(low)) / (3 * elastic.mu);
-#ifdef __OPTIMIZE__
-          constexpr double round_off = 1e-13;
-#else
-          constexpr double round_off = 2e-13;  // without fused multiply-adds
-#endif
-          // q is known to round-off of Y, and p = (q - Y) (3 G + ..): near the surface the error is that of q_trial - Y.
-          EXPECT_NEAR(flow.equivalent, p, round_off * p + 3e-15 * yield_stress / elastic.mu) << "nu " << nu << " k " << k << " size " << size << " direction " << direction;
+          // p = x q / 3G with q = Y / (1 - k x): a rounding of x counts 1 / (1 - k x) times in p. The last step leaves up to 1.5e-14 (return_mapping.hpp),
+          // and near the surface the error is that of q_trial - Y.
+          const double left = 2e-14 + 4 * 2.2e-16 / double(1 - kk * low);
+          EXPECT_NEAR(flow.equivalent, p, left * p + 3e-15 * yield_stress / elastic.mu) << "nu " << nu << " k " << k << " size " << size << " direction " << direction;
           EXPECT_NEAR(von_mises(trial), double(q(low)), 1e-13 * double(q(low)));
         }
 }
