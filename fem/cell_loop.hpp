@@ -7,6 +7,7 @@
 #include "fem/batches.hpp"
 #include "fem/fem.hpp"
 #include "model/motion/archive.hpp"
+#include "model/motion/discretization.hpp"
 
 namespace femsph::fem {
 
@@ -16,10 +17,6 @@ struct Sample {
   double volume;                         ///< m^dim, without the thickness
   std::array<double, 6> stress, strain;  ///< Cauchy; xx yy zz xy yz zx
   double plastic;                        ///< equivalent plastic strain; 0 when the law has none
-};
-
-struct Energies {
-  double strain = 0, hourglass = 0, plastic = 0;  ///< J
 };
 
 class CellLoop {

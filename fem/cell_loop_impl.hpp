@@ -161,23 +161,16 @@ class Loop final : public StiffnessLoop<ElementType, dim, T> {
   }
 
   Energies energies(const double* u) const override {
-    // Three sums in one pass: the others are kept per chunk of parallel_sum and added in chunk order.
-    std::vector<double> hourglass(batches_.count, 0.0), plastic(state_size == 0 ? 0 : batches_.count, 0.0);
-    Energies sum;
-    sum.strain = thickness_ * parallel_sum(batches_.count, [&](std::size_t begin, std::size_t end) {
+    const auto [strain, hourglass, plastic] = parallel_sums<3>(batches_.count, [&](std::size_t begin, std::size_t end) {
       const std::size_t whole = std::min(end, batches_.cells / lanes);  // the last batch may repeat its last cell
       EnergyObserver<LawType, dim, T> many{material_};
       for (std::size_t b = begin; b < whole; ++b)
         for (int lane = 0; lane < lanes; lane += lanes_of<T>) observe_cell<T>(u, b, lane, many);
       EnergyObserver<LawType, dim, double> few{material_};
       observe(u, std::max(begin, whole) * lanes, std::min(end * lanes, batches_.cells), few);
-      hourglass[begin] = horizontal_sum(many.hourglass_) + few.hourglass_;
-      if constexpr (state_size > 0) plastic[begin] = horizontal_sum(many.plastic) + few.plastic;
-      return horizontal_sum(many.strain) + few.strain;
+      return std::array{horizontal_sum(many.strain) + few.strain, horizontal_sum(many.hourglass_) + few.hourglass_, horizontal_sum(many.plastic) + few.plastic};
     });
-    for (const double part : hourglass) sum.hourglass += thickness_ * part;
-    for (const double part : plastic) sum.plastic += thickness_ * part;
-    return sum;
+    return {thickness_ * strain, thickness_ * hourglass, thickness_ * plastic};
   }
 
   void samples(const double* u, std::size_t begin, std::size_t end, Sample* out) const override {

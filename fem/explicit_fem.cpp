@@ -108,6 +108,13 @@ void ExplicitFem::clear(double* f) const {
   });
 }
 
+Energies ExplicitFem::energies(const double* u) const {
+  Energies held = loop_->energies(u);
+  held.strain += bars_.strain_energy(u);
+  held.plastic += bars_.dissipated_energy();
+  return held;
+}
+
 void ExplicitFem::internal_force(const double* u, const double*, double dt, double* f, double*) {
   clear(f);
   loop_->set_step(dt);

@@ -29,13 +29,11 @@ class ExplicitFem : public Discretization {
 
   void internal_force(const double* u, const double* v, double dt, double* f, double* viscous) override;
   void stiffness(const double* x, double* y) const override;
-  double strain_energy(const double* u) const override { return loop_->energies(u).strain + bars_.strain_energy(u); }
+  Energies energies(const double* u) const override;
   std::optional<Trouble> trouble(const double* u) const override;
   std::optional<Stiffening> stiffening(const double* u) const override;
   void state(Archive& archive) override { loop_->state(archive), bars_.state(archive); }
   std::vector<BarPiece> bars(const double* u) const override { return bars_.pieces(u); }
-  double dissipated_energy(const double* u) const override { return bars_.dissipated_energy() + (plastic_ ? loop_->energies(u).plastic : 0.0); }
-  double hourglass_energy(const double* u) const override { return element_ == Element::one_point ? loop_->energies(u).hourglass : 0.0; }
 
   std::vector<Weight> points_of(const Place& place) const override;
   std::vector<Weight> interpolation(const Point& p) const override;

@@ -33,12 +33,12 @@ class Oracle final : public ExplicitFem {
   std::string describe() const override { return ExplicitFem::describe() + " by deal.II FEValues"; }
   void internal_force(const double* u, const double*, double, double* f, double*) override { apply(u, f, -1); }
   void stiffness(const double* x, double* y) const override { apply(x, y, 1); }
-  double strain_energy(const double* u) const override {
+  Energies energies(const double* u) const override {
     std::vector<double> y(layout().size);
     apply(u, y.data(), 1);
     double e = 0;
     for (std::size_t i = 0; i < y.size(); ++i) e += 0.5 * u[i] * y[i];
-    return e;
+    return {e};
   }
 
  private:

@@ -61,9 +61,7 @@ class TotalLagrangian final : public ParticleBody {
   bool has_viscosity() const override { return viscosity_ != nullptr; }
   void damping_matrix(const double* x, double* y) const override { viscosity_->matrix(with_mirrored(x), layout_, y); }
 
-  double strain_energy(const double* given) const override;
-  double dissipated_energy(const double*) const override;
-  double hourglass_energy(const double* given) const override;
+  Energies energies(const double* given) const override;
   std::vector<BarPiece> bars(const double* u) const override;
   void material_state(const double* given, std::span<const std::size_t> points, MaterialState& out) const override;
   std::optional<Trouble> trouble(const double* given) const override;
@@ -182,14 +180,7 @@ class TotalLagrangian final : public ParticleBody {
     }
   }
 
-  template <class Part>
-  double sum_over_blocks(Part&& part) const {
-    return parallel_sum(blocks(), [&](std::size_t begin, std::size_t end) {
-      Pack sum{};
-      for (std::size_t block = begin; block < end; ++block) sum += part(block);
-      return horizontal_sum(sum);
-    });
-  }
+  Pack misfit(std::size_t block, const double* u, const Tensor<Pack, dim>& H) const;
 
   LawType law_;
   GradientOperator<dim, Stencils, corrected> operator_;

@@ -7,51 +7,47 @@
 
 namespace femsph::sph {
 
+/// Hourglass control holds sum_i V_i kappa/2 sum_j scale_ij |H_i x_ij - u_ij|^2, with scale_ij x_ij = w_ij.
 template <int dim, class Stencils, class Kinematics, class LawType, Correction correction>
-double TotalLagrangian<dim, Stencils, Kinematics, LawType, correction>::strain_energy(const double* given) const {
+Energies TotalLagrangian<dim, Stencils, Kinematics, LawType, correction>::energies(const double* given) const {
   const double* u = with_mirrored(given);
   double in_bars = 0;
   each_bar<Kinematics>(u, bars_.pieces, [&](const SmearedPiece& piece, double strain, const Pull&) {
     in_bars += bars_.volume(piece) * bars_.rows[piece.row].law.stored(strain, piece.state);
   });
-  return in_bars + sum_over_blocks([&](std::size_t block) {
-    Tensor<Pack, dim> H;
-    Pack L[dim];
-    gradient<false>(block, u, H, L);
-    Symmetric<Pack, dim> strain;
-    Kinematics::template strain<Pack, dim>(H, strain);
-    return operator_.volume(block) * law_.stored_energy(strain, stress_now(block, strain), history(block));
+  const auto [stored, controlled, lost] = parallel_sums<3>(blocks(), [&](std::size_t begin, std::size_t end) {
+    Pack stored{}, controlled{}, lost{};
+    for (std::size_t block = begin; block < end; ++block) {
+      Tensor<Pack, dim> H;
+      Pack L[dim];
+      gradient<false>(block, u, H, L);
+      Symmetric<Pack, dim> strain;
+      Kinematics::template strain<Pack, dim>(H, strain);
+      const Pack volume = operator_.volume(block);
+      stored += volume * law_.stored_energy(strain, stress_now(block, strain), history(block));
+      if constexpr (n_state > 0) lost += volume * law_.plastic_work(history(block));
+      if constexpr (hourglass) controlled += 0.5 * kappa_ * volume * misfit(block, u, H);
+    }
+    return std::array{horizontal_sum(stored), horizontal_sum(controlled), horizontal_sum(lost)};
   });
+  return {in_bars + stored, controlled, bars_.dissipated_energy() + lost};
 }
 
+/// sum_j scale_ij |H_i x_ij - u_ij|^2 of a block.
 template <int dim, class Stencils, class Kinematics, class LawType, Correction correction>
-double TotalLagrangian<dim, Stencils, Kinematics, LawType, correction>::dissipated_energy(const double*) const {
-  const double in_bars = bars_.dissipated_energy();
-  if constexpr (n_state == 0) return in_bars;
-  else return in_bars + sum_over_blocks([&](std::size_t block) { return operator_.volume(block) * law_.plastic_work(history(block)); });
-}
-
-/// sum_i V_i kappa/2 sum_j scale_ij |H_i x_ij - u_ij|^2, with scale_ij x_ij = w_ij.
-template <int dim, class Stencils, class Kinematics, class LawType, Correction correction>
-double TotalLagrangian<dim, Stencils, Kinematics, LawType, correction>::hourglass_energy(const double* given) const {
-  if constexpr (!hourglass) return 0;
-  const double* u = with_mirrored(given);
-  return sum_over_blocks([&](std::size_t block) {
-    Tensor<Pack, dim> H;
-    Pack L[dim], sum{};
-    gradient<false>(block, u, H, L);
-    operator_.stencils().each(block, u + first(block), stride(), [&](const Pack(&difference)[dim], const Pack(&w)[dim], const Pack& scale) {
-      const Pack there = select(scale > 0.0, scale, broadcast<Pack>(1.0));
-      Pack square{};
-      for (int r = 0; r < dim; ++r) {
-        Pack e = H[r][0] * w[0] - scale * difference[r];
-        for (int c = 1; c < dim; ++c) e += H[r][c] * w[c];
-        square += e * e;
-      }
-      sum += square / there;
-    });
-    return 0.5 * kappa_ * operator_.volume(block) * sum;
+Pack TotalLagrangian<dim, Stencils, Kinematics, LawType, correction>::misfit(std::size_t block, const double* u, const Tensor<Pack, dim>& H) const {
+  Pack sum{};
+  operator_.stencils().each(block, u + first(block), stride(), [&](const Pack(&difference)[dim], const Pack(&w)[dim], const Pack& scale) {
+    const Pack there = select(scale > 0.0, scale, broadcast<Pack>(1.0));
+    Pack square{};
+    for (int r = 0; r < dim; ++r) {
+      Pack e = H[r][0] * w[0] - scale * difference[r];
+      for (int c = 1; c < dim; ++c) e += H[r][c] * w[c];
+      square += e * e;
+    }
+    sum += square / there;
   });
+  return sum;
 }
 
 template <int dim, class Stencils, class Kinematics, class LawType, Correction correction>

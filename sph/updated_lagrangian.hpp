@@ -57,12 +57,16 @@ class UpdatedLagrangian final : public ParticleBody {
   bool has_viscosity() const override { return options_.viscosity.on(); }
   void damping_matrix(const double* x, double* y) const override { small_->damping_matrix(x, y); }
 
-  double strain_energy(const double*) const override {
-    return thickness_ * sum_over_blocks([&](std::size_t block) { return State::stored(law_, volume(block), state(block)); });
-  }
-  double dissipated_energy(const double*) const override {
-    if constexpr (!State::plastic) return 0;
-    else return thickness_ * sum_over_blocks([&](std::size_t block) { return State::lost(state(block)); });
+  Energies energies(const double*) const override {
+    const auto [stored, lost] = parallel_sums<2>(blocks_, [&](std::size_t begin, std::size_t end) {
+      Pack stored{}, lost{};
+      for (std::size_t block = begin; block < end; ++block) {
+        stored += State::stored(law_, volume(block), state(block));
+        if constexpr (State::plastic) lost += State::lost(state(block));
+      }
+      return std::array{horizontal_sum(stored), horizontal_sum(lost)};
+    });
+    return {thickness_ * stored, 0, thickness_ * lost};
   }
 
   void internal_force(const double* u, const double* v, double dt, double* f, double* viscous) override {
@@ -108,14 +112,6 @@ class UpdatedLagrangian final : public ParticleBody {
   FEMSPH_INLINE const Pack* state(std::size_t block) const { return reinterpret_cast<const Pack*>(&state_[block * State::size * lanes]); }
   FEMSPH_INLINE Pack volume(std::size_t block) const { return load<Pack>(&volume_[block * lanes]); }
   FEMSPH_INLINE std::size_t slot(std::size_t block, int c) const { return layout_.offset + block * lanes + std::size_t(c) * layout_.component_stride; }
-  template <class Part>
-  double sum_over_blocks(Part&& part) const {
-    return parallel_sum(blocks_, [&](std::size_t begin, std::size_t end) {
-      Pack sum{};
-      for (std::size_t block = begin; block < end; ++block) sum += part(block);
-      return horizontal_sum(sum);
-    });
-  }
   template <class Body>
   void for_blocks(Body&& body) const {
     parallel_for(blocks_ * lanes, lanes, [&](std::size_t begin, std::size_t end) {

@@ -59,6 +59,11 @@ struct Trouble {
   Point position{};    ///< m, in the deformed body
 };
 
+/// What a body holds and has lost, J: stored by the law, stored by hourglass control, and plastic work so far.
+struct Energies {
+  double strain = 0, hourglass = 0, plastic = 0;
+};
+
 /// How much stiffer than undeformed a unit has become.
 struct Stiffening {
   double ratio = 1;   ///< bound on the square of the highest frequency over that of the undeformed body; infinite in a unit turned inside out
@@ -100,11 +105,8 @@ class Discretization {
   virtual void damping_matrix(const double* x, double* y) const;
   virtual bool has_viscosity() const { return false; }
 
-  /// Energy stored (J): by the law, and by hourglass control.
-  virtual double strain_energy(const double* u) const = 0;
-  virtual double hourglass_energy(const double*) const { return 0.0; }
-  /// Plastic work so far (J), at the displacement of the last internal_force().
-  virtual double dissipated_energy(const double*) const { return 0.0; }
+  /// At displacement u; laws with a history: at that of the last internal_force(). One pass over the body.
+  virtual Energies energies(const double* u) const = 0;
   /// Every array that carries history from one step to the next, beyond u and v of the march: what a run that is taken up again needs.
   virtual void state(Archive&) {}
   /// The worst unit at displacement u, if it is past what the method can follow: a folded cell, a particle without neighbours.

@@ -243,9 +243,10 @@ Ledger March::ledger() const {
   const Kinetic k = kinetic();
   l.kinetic = k.energy;
   for (const MovingBody& body : bodies_) {
-    l.strain += body.discretization->strain_energy(body.u.data());
-    l.hourglass += body.discretization->hourglass_energy(body.u.data());
-    l.plastic += body.discretization->dissipated_energy(body.u.data());
+    const Energies held = body.discretization->energies(body.u.data());
+    l.strain += held.strain;
+    l.hourglass += held.hourglass;
+    l.plastic += held.plastic;
   }
   for (const ContactPair& contact : contacts_) {
     l.contact += contact.stored();

@@ -3,6 +3,7 @@
 // borders depend on the problem only, and partial sums are added in chunk order: results never
 // depend on how many threads ran.
 
+#include <array>
 #include <cstddef>
 #include <functional>
 #include <vector>
@@ -41,21 +42,30 @@ void parallel_for(std::size_t n, std::size_t grain, Body&& body, std::size_t wei
   });
 }
 
-/// Sum of body(begin, end) over fixed chunks of [0, n), added in chunk order: the same to the last bit for any thread count.
-template <class Body>
-double parallel_sum(std::size_t n, Body&& body) {
+/// Sums of what body(begin, end) returns (std::array<double, count>) over fixed chunks of [0, n), added in chunk order: the same to the last
+/// bit for any thread count.
+template <std::size_t count, class Body>
+std::array<double, count> parallel_sums(std::size_t n, Body&& body) {
+  using Sums = std::array<double, count>;
   constexpr std::size_t chunk = 4096;
   const std::size_t chunks = (n + chunk - 1) / chunk;
-  if (chunks <= 1) return n > 0 ? body(std::size_t{0}, n) : 0.0;
-  static thread_local std::vector<double> partial;
-  partial.assign(chunks, 0.0);
-  double* p = partial.data();
+  if (chunks <= 1) return n > 0 ? body(std::size_t{0}, n) : Sums{};
+  static thread_local std::vector<Sums> partial;
+  partial.assign(chunks, Sums{});
+  Sums* p = partial.data();
   parallel_for(n, chunk, [&](std::size_t begin, std::size_t end) {
     for (std::size_t b = begin; b < end; b += chunk) p[b / chunk] = body(b, b + chunk < end ? b + chunk : end);
   });
-  double sum = 0;
-  for (std::size_t c = 0; c < chunks; ++c) sum += p[c];
+  Sums sum{};
+  for (std::size_t c = 0; c < chunks; ++c)
+    for (std::size_t k = 0; k < count; ++k) sum[k] += p[c][k];
   return sum;
+}
+
+/// The same for one sum.
+template <class Body>
+double parallel_sum(std::size_t n, Body&& body) {
+  return parallel_sums<1>(n, [&](std::size_t begin, std::size_t end) { return std::array{body(begin, end)}; })[0];
 }
 
 }  // namespace femsph

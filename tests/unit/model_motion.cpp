@@ -35,7 +35,7 @@ class Spring : public Discretization {
     f[1] = std::abs(u[0]) > explode_at_ ? std::nan("") : 0.0;
   }
   void stiffness(const double* x, double* y) const override { y[0] = k_ * x[0], y[1] = 0; }
-  double strain_energy(const double* u) const override { return 0.5 * k_ * u[0] * u[0]; }
+  Energies energies(const double* u) const override { return {0.5 * k_ * u[0] * u[0]}; }
   std::vector<Weight> points_of(const Place& place) const override {
     if (!place.sides.empty() && place.sides[0] == "nowhere") return {};
     return {{0, 1.0}};

@@ -27,7 +27,7 @@ class FakeBody : public Discretization {
   void internal_force(const double*, const double*, double, double*, double*) override {}
   void stiffness(const double*, double*) const override {}
   void damping_matrix(const double*, double*) const override {}
-  double strain_energy(const double*) const override { return 0; }
+  Energies energies(const double*) const override { return {}; }
   std::vector<Weight> points_of(const Place&) const override { return {}; }
   std::vector<Weight> interpolation(const Point&) const override { return {}; }
   std::size_t material_points() const override { return volumes_.size(); }

@@ -112,7 +112,7 @@ class Dumbbell : public Discretization {
     f[0] = k * (u[2] - u[0]), f[2] = -f[0], f[1] = f[3] = 0;
   }
   void stiffness(const double* x, double* y) const override { y[0] = k * (x[0] - x[2]), y[2] = -y[0], y[1] = y[3] = 0; }
-  double strain_energy(const double* u) const override { return 0.5 * k * (u[2] - u[0]) * (u[2] - u[0]); }
+  Energies energies(const double* u) const override { return {0.5 * k * (u[2] - u[0]) * (u[2] - u[0])}; }
   std::vector<Weight> points_of(const Place& place) const override { return {{place.sides.at(0) == "x+" ? 1u : 0u, 1.0}}; }
   std::vector<Weight> interpolation(const Point&) const override { return {{0, 1.0}}; }
   std::vector<Weight> material_interpolation(const Point&) const override { return {}; }

@@ -35,7 +35,7 @@ class Springs : public test::FakeBody {
     f[1] = -K * u[1] * ratio(u);
     if (viscous) viscous[0] = -viscosity_ * v[0], viscous[1] = -viscosity_ * v[1];
   }
-  double strain_energy(const double* u) const override { return 0.5 * (k * u[0] * u[0] + K * u[1] * u[1] * ratio(u)); }
+  Energies energies(const double* u) const override { return {0.5 * (k * u[0] * u[0] + K * u[1] * u[1] * ratio(u))}; }
   std::vector<Weight> points_of(const Place&) const override { return {{0, 1.0}}; }
   std::vector<Weight> interpolation(const Point&) const override { return {{0, 1.0}}; }
   void state(Archive& archive) override { archive("passed", passed); }

@@ -32,7 +32,7 @@ class Mass : public test::FakeBody {
     f[0] = -spring * u[0] + added(u[0], v[0]);
     f[1] = 0;
   }
-  double strain_energy(const double* u) const override { return 0.5 * spring * u[0] * u[0] + added_energy(u[0]); }
+  Energies energies(const double* u) const override { return {0.5 * spring * u[0] * u[0] + added_energy(u[0])}; }
   std::vector<Weight> points_of(const Place&) const override { return {{0, 1.0}}; }
   std::vector<Weight> interpolation(const Point&) const override { return {{0, 1.0}}; }
   void state(Archive& archive) override { archive("remembered", remembered); }

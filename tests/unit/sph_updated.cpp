@@ -170,7 +170,7 @@ void compare_with_plain(Plane plane, bool plastic, sph::KernelKind kind, double 
   EXPECT_GT(largest(F), 0);
   EXPECT_GT(largest(G), 0);
   EXPECT_NE(plain.work, 0);
-  EXPECT_NEAR(plastic ? moving->dissipated_energy(nullptr) : moving->strain_energy(nullptr), plain.work, 1e-12 * std::abs(plain.work));
+  EXPECT_NEAR(plastic ? moving->energies(nullptr).plastic : moving->energies(nullptr).strain, plain.work, 1e-12 * std::abs(plain.work));
   double sum = 0, size = 0;
   for (double x : f) sum += x, size += std::abs(x);
   EXPECT_LT(std::abs(sum), 1e-14 * size);  // pairs are equal and opposite
@@ -300,7 +300,7 @@ TEST(UpdatedNeoHookean, ForcesAreTheSlopeOfTheEnergy) {
       d->internal_force(u.data(), v.data(), k == 0 ? 0 : 1, f.data(), nullptr);
       if (k == 20)
         for (std::size_t i = 0; i < f.size(); ++i) work -= 0.5 * (f[i] + f0[i]) * v[i];
-      e0 = e1, e1 = d->strain_energy(u.data()), f0 = f, u0 = u;
+      e0 = e1, e1 = d->energies(u.data()).strain, f0 = f, u0 = u;
     }
     EXPECT_GT(e1, e0);
     EXPECT_NEAR(e1 - e0, work, 1e-5 * (e1 - e0));
@@ -328,8 +328,8 @@ TEST(UpdatedLagrangian, GoesOnFromASavedState) {
       saved.restore(*later);
     }
   }
-  EXPECT_GT(whole->dissipated_energy(nullptr), 0);
-  EXPECT_EQ(whole->dissipated_energy(nullptr), later->dissipated_energy(nullptr));
+  EXPECT_GT(whole->energies(nullptr).plastic, 0);
+  EXPECT_EQ(whole->energies(nullptr).plastic, later->energies(nullptr).plastic);
   EXPECT_EQ(f, F);
   EXPECT_EQ(g, G);
 }
