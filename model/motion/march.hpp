@@ -119,8 +119,9 @@ class March {
   double force_imbalance() const;
   /// The same for the moments of the internal forces about the origin (in the deformed body).
   double moment_imbalance() const;
-  Price& price() { return price_; }
-  const Price& price() const { return price_; }
+  /// What the run has cost so far.
+  Price& price() { return read_clocks(), price_; }
+  const Price& price() const { return read_clocks(), price_; }
 
  private:
   void place_supports_and_loads(MovingBody& body, std::size_t index);
@@ -195,7 +196,10 @@ class March {
   double start_damping_ = 0, start_viscosity_ = 0;  ///< the half-step losses at the first step, which belong before it
   double half_step_kinetic_ = 0;  ///< of the last half step; kinetic damping only
   double still_since_ = -1;       ///< s; below 0: still moving
-  Price price_;
+  mutable Price price_;
+  bool running_ = false;
+  double cpu_before_ = 0, wall_before_ = 0;  ///< s: the clocks at the start of the run, less what it had cost before it was taken up again
+  void read_clocks() const;
   bool keep_good_ = false;
   MemoryArchive good_;
 };
