@@ -27,6 +27,10 @@ void March::run(const MarchEvents& events) {
   }
   cpu_before_ = cpu_seconds() - price_.cpu, wall_before_ = wall_seconds() - price_.wall;
   running_ = true;
+  struct StopClocks {  // however the run ends
+    March& march;
+    ~StopClocks() { march.read_clocks(), march.running_ = false; }
+  } const stop{*this};
   while (true) {
     if (follows_) follow_deformation();
     forces();
@@ -51,8 +55,6 @@ void March::run(const MarchEvents& events) {
     ++step_;
     if (events.between) events.between(*this);
   }
-  read_clocks();
-  running_ = false;
 }
 
 /// When somebody asks, not in every step: the clock of the process is a call of the kernel, which takes as long as a step of a hundred cells.
