@@ -78,6 +78,7 @@ int check_command(const RunCommand& command) {
   fmt::print("  {:<24} {}\n", "effects on", effects_line(scene.effects()));
   fmt::print("  {:<24} {}\n", "effects off", effects_off(scene));
   if (command.solver.empty()) {
+    for (const std::string& text : scene.warnings) print_warning(text);
     fmt::print("for particles or elements, step, memory and time, add --solver and --spacing\n");
     return 0;
   }
@@ -90,6 +91,7 @@ int check_command(const RunCommand& command) {
   MarchOptions options;
   options.safety = command.safety;
   const March march(scene, std::move(bodies), options);
+  for (const std::string& text : march.warnings()) print_warning(text);
   fmt::print("by {}:\n", method.name);
   for (const auto& [key, value] : derived_values(march))
     if (key != "effects on") fmt::print("  {:<24} {}\n", key, value);

@@ -96,6 +96,8 @@ CheckpointOptions checkpoint_of(const RunCommand& c) {
   return options;
 }
 
+void print_warning(const std::string& text) { fmt::print(stderr, "warning: {}\n", text); }
+
 /// The scene of a checkpoint: its own text; mesh files from where they were.
 Scene scene_again(const RunOrigin& origin) {
   Scene scene = parse_scene(origin.scene_text, origin.scene_path);
@@ -117,6 +119,7 @@ int run_command(const RunCommand& command) {
   options.fields = command.fields;
   options.command = command.command;
   options.checkpoint = checkpoint_of(command);
+  options.warn = print_warning;
   const RunResult r = run_scene(scene, method, resolution, options);
 
   fmt::print("{}\n", scene.title);

@@ -68,6 +68,9 @@ class BadCommand : public std::runtime_error {
 Method method_of(const RunCommand& command);
 Resolution resolution_of(const RunCommand& command);
 
+/// "warning: TEXT" on stderr.
+void print_warning(const std::string& text);
+
 /// Version, git state, compiler, libraries: a line each.
 std::string version_text();
 

@@ -176,6 +176,9 @@ int main(int argc, char** argv) {
   } catch (const femsph::MotionError& error) {
     fmt::print(stderr, "femsph: {}\n", error.what());
     return bad_run;
+  } catch (const femsph::Refusal& error) {
+    fmt::print(stderr, "femsph: {}\n", error.what());
+    return bad_run;
   } catch (const std::bad_alloc&) {
     fmt::print(stderr, "femsph: out of memory; take a coarser spacing (`femsph check` estimates the memory)\n");
     return bad_machine;

@@ -84,6 +84,7 @@ RunResult result_of(const March& march, const Recorder& recorder, const std::opt
   r.price = march.price();
   r.settled = march.settled();
   r.derived = derived_values(march);
+  r.warnings = march.warnings();
   for (const MovingBody& body : march.bodies()) r.points += body.discretization->layout().points;
   r.scalars["critical_step"] = march.critical_step();
   if (conservation) {
@@ -111,6 +112,12 @@ RunResult run_scene(const Scene& scene, const Method& method, const Resolution& 
   const double ready = wall_seconds();
   March march(scene, std::move(bodies), options.march);
   march.price().add("setup", ready - start);
+  std::size_t said = 0;
+  const auto say_warnings = [&] {
+    for (; said < march.warnings().size(); ++said)
+      if (options.warn) options.warn(march.warnings()[said]);
+  };
+  say_warnings();
   Recorder recorder(march);
   std::unique_ptr<RunOutput> output;
   if (options.folder) output = std::make_unique<RunOutput>(method, options, march, recorder);
@@ -134,14 +141,15 @@ RunResult run_scene(const Scene& scene, const Method& method, const Resolution& 
     if (options.partial) *options.partial = result_of(march, recorder, conservation);
     const auto* stop = dynamic_cast<const Stopped*>(&error);
     if (!output) throw;
-    const std::string said = error.what() + (stop ? output->save_last_good() : "");
-    output->finish(said, false);
-    if (stop) throw Stopped(stop->watch, said);
+    const std::string message = error.what() + (stop ? output->save_last_good() : "");
+    output->finish(message, false);
+    if (stop) throw Stopped(stop->watch, message);
     throw;
   } catch (const std::exception& error) {
     if (output) output->try_to_finish(error.what());
     throw;
   }
+  say_warnings();
   if (output) output->finish(march.settled() ? "settled" : "finished", true);
 
   RunResult r = result_of(march, recorder, conservation);

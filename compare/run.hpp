@@ -2,6 +2,7 @@
 // One run: a scene, a method, a resolution -> histories, profiles, energies and a price.
 
 #include <array>
+#include <functional>
 #include <map>
 #include <optional>
 #include <set>
@@ -54,6 +55,7 @@ struct RunOptions {
   std::string label;                  ///< of the progress line
   std::string command;                ///< for the record
   std::set<std::string> scalars = {}; ///< which of RunResult::scalars to fill: each costs a look at the run that others do not pay
+  std::function<void(const std::string&)> warn = {};  ///< called with each warning: before the first step, or once it is known
   RunResult* partial = nullptr; ///< where a run that stops with a MotionError leaves what it has until then
 };
 
@@ -70,6 +72,7 @@ struct RunResult {
   std::size_t points = 0;                   ///< nodes or particles
   std::map<std::string, double> scalars;    ///< numbers that belong to the whole run, SI, by their names in run_scalars()
   std::vector<std::pair<std::string, std::string>> derived;  ///< see derived_values
+  std::vector<std::string> warnings;        ///< of the march
 };
 
 /// The scalars a run can give, with their SI units.

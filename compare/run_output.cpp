@@ -104,6 +104,7 @@ void RunOutput::finish(const std::string& outcome, bool whole) {
     record_.ledger = march_.ledger();
   }
   record_.derived = derived_values(march_);
+  record_.warnings = march_.warnings();
   record_.price = march_.price();
   record_.outcome = outcome;
   record_.finished_at = utc_now();

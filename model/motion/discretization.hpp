@@ -95,6 +95,8 @@ class Discretization {
   virtual double spacing() const = 0;         ///< smallest distance d of neighbouring points along an axis, m
   virtual double wave_speed() const = 0;      ///< fastest, m/s
   virtual std::size_t bytes() const = 0;      ///< memory held, without the march's own vectors
+  /// What the user should know of this discretization before believing its results, a sentence each.
+  virtual std::vector<std::string> warnings() const { return {}; }
 
   /// Writes the internal force (N) of displacement u (m) and velocity v (m/s), both flat, into f, and advances the state of the
   /// material by the step dt (s; 0 at the first call, when nothing has moved yet). Padding stays 0. If has_viscosity(), its force goes to `viscous` instead, else that is null.

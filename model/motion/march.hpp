@@ -105,6 +105,9 @@ class March {
   double critical_step_without_contact() const { return critical_alone_; }
   long planned_steps() const;
   bool settled() const { return settled_; }
+  /// What the user should know, a sentence each: of the scene, of its discretizations, and of the march so far. Those known before the first
+  /// step come first and stay.
+  const std::vector<std::string>& warnings() const { return warnings_; }
   /// All that a run which is taken up again needs; to be saved between two steps (MarchEvents::between).
   void state(Archive& archive);
   /// Before run(): keep, in memory, the state of the last look that found everything sound. Large motion, plasticity and contact only: what
@@ -196,6 +199,7 @@ class March {
   double start_damping_ = 0, start_viscosity_ = 0;  ///< the half-step losses at the first step, which belong before it
   double half_step_kinetic_ = 0;  ///< of the last half step; kinetic damping only
   double still_since_ = -1;       ///< s; below 0: still moving
+  std::vector<std::string> warnings_;
   mutable Price price_;
   bool running_ = false;
   double cpu_before_ = 0, wall_before_ = 0;  ///< s: the clocks at the start of the run, less what it had cost before it was taken up again

@@ -30,6 +30,9 @@ March::March(const Scene& scene, std::vector<std::unique_ptr<Discretization>> bo
     price_.bytes += body.discretization->bytes() + sizeof(double) * (4 * body.u.size() + body.viscous.size() + body.mass.size());
     bodies_.push_back(std::move(body));
   }
+  warnings_ = scene.warnings;
+  for (const MovingBody& body : bodies_)
+    for (const std::string& text : body.discretization->warnings()) warnings_.push_back(fmt::format("body \"{}\": {}", body.name, text));
   place_rigid_bodies_and_contacts();
   find_critical_step();
   if (!std::isfinite(critical_)) throw MotionError("nothing in this scene can move: every displacement is held, or no body has stiffness");

@@ -102,7 +102,9 @@ std::string version_line() {
 }
 
 void write_record(const RunRecord& record, const std::string& folder) {
-  const toml::table document{{"scene_file", record.scene_file},   {"method", record.method},           {"command", record.command},
+  toml::array warnings;
+  for (const std::string& text : record.warnings) warnings.push_back(text);
+  const toml::table document{{"warnings", warnings},               {"scene_file", record.scene_file},   {"method", record.method},           {"command", record.command},
                              {"outcome", record.outcome},         {"finished_at", record.finished_at}, {"derived", table(record.derived)},
                              {"energy", energies(record.ledger)}, {"price", price(record.price)},      {"provenance", table(provenance())}};
   std::ostringstream out;

@@ -20,6 +20,7 @@ std::string version_line();
 struct RunRecord {
   std::string scene_file, scene_text, method, command;
   std::vector<std::pair<std::string, std::string>> derived;  ///< particles, elements, critical step, effects, ..
+  std::vector<std::string> warnings;
   Ledger ledger;
   Price price;
   std::string outcome;      ///< "finished", "settled", or the message that stopped it

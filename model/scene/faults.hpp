@@ -30,6 +30,12 @@ class InputError : public std::runtime_error {
   std::vector<Fault> faults_;
 };
 
+/// A method that cannot do what a scene asks for, in one sentence: a refusal before the first step, and no fault of the scene.
+class Refusal : public std::runtime_error {
+ public:
+  using std::runtime_error::runtime_error;
+};
+
 /// The list that grows while a file is read.
 class Faults {
  public:

@@ -133,8 +133,8 @@ struct Contact {
   bool tied = false;
 };
 
-/// plastic_strain: equivalent; equivalent_stress: von Mises.
-enum class Quantity { displacement, velocity, stress, strain, plastic_strain, equivalent_stress };
+/// plastic_strain: equivalent; equivalent_stress: von Mises; principal_stress: the largest first, the one across a plane included.
+enum class Quantity { displacement, velocity, stress, strain, plastic_strain, equivalent_stress, principal_stress };
 
 /// Something read at a point in every sample of a run.
 struct Probe {
@@ -187,6 +187,7 @@ struct Scene {
   int samples = 400;    ///< rows of the histories over the duration
   int snapshots = 20;   ///< fields written over the duration
   std::optional<Settling> settling;
+  std::vector<std::string> warnings;  ///< what the reader wants said: each "file:line:column: text", or a sentence
 
   int dim() const { return plane == Plane::none ? 3 : 2; }
   const Material& material_of(const Body& body) const { return materials.at(body.material); }

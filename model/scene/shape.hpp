@@ -23,6 +23,7 @@ struct CellMesh {
   };
   std::vector<Facet> facets;        ///< boundary facets that the file names
   std::vector<std::string> groups;  ///< physical names
+  std::vector<std::size_t> cell_numbers, vertex_numbers;  ///< those of the file, for messages; empty: there is no file
 };
 
 class Shape {
