@@ -149,11 +149,15 @@ Observed read_observed(Fields& fields, const std::optional<std::string>& scene, 
 }
 
 // The theory must be able to speak of every scene that it will be asked for, and of what is read: better said now than after the runs.
-std::optional<std::string> read_theory(Fields& fields, const std::optional<std::string>& scene, const std::string& si, const Study& study) {
+std::optional<std::string> read_theory(Fields& fields, const std::optional<std::string>& scene, const std::string& si, bool over_time, const Study& study) {
   const auto name = fields.text("theory", Need::optional, "the name of a theory value");
   if (!name) return {};
   try {
     const Theory& theory = theory_named(*name);
+    if (theory.on_time() && !over_time) {
+      fields.fault("theory", "a theory that depends on time; expected one value (a history goes into [[series]])");
+      return {};
+    }
     for (const auto& [file, read] : study.scenes)
       if (!scene || *scene == file) theory.value(read, read.bodies[0].shape->lower(), 0);
     if (!si.empty() && theory.unit != si) {
@@ -233,7 +237,8 @@ void one_quantity(Fields& fields, StudyReading& reading) {
   }
   quantity.sign = fields.choice<SignRule>("sign", Need::optional, signs).value_or(SignRule::as_is);
   // l2 compares what is read itself; the others what `reduce` makes of it.
-  quantity.theory = read_theory(fields, quantity.scene, si.empty() || quantity.reduce == Reduce::l2 ? quantity.observed.si : si, reading.study);
+  quantity.theory = read_theory(fields, quantity.scene, si.empty() || quantity.reduce == Reduce::l2 ? quantity.observed.si : si,
+                                quantity.reduce == Reduce::l2 && !quantity.observed.probe.empty(), reading.study);
   quantity.reference = read_in_unit(fields, "reference", quantity.observed.unit);
   if (const auto offset = read_in_unit(fields, "offset", quantity.observed.unit)) {
     quantity.offset = *offset;
@@ -256,8 +261,6 @@ void one_quantity(Fields& fields, StudyReading& reading) {
     fields.fault(
         "reduce",
         "\"reduce\" does not fit; expected fibre_upper, fibre_lower, l2 or moment for a section, and one of the others for a probe or an energy");
-  if (!history_l2 && quantity.theory && theory_named(*quantity.theory).on_time())
-    fields.fault("theory", "a theory that depends on time; expected one value (a history goes into [[series]])");
   if (quantity.reduce == Reduce::l2 && !quantity.theory && !reading.study.limit && reading.study.limits.empty())
     fields.fault("reduce", "l2 has nothing to compare with; expected \"theory\", or [limit] in the study");
   reading.study.quantities.push_back(quantity);
@@ -299,7 +302,7 @@ void one_series(Fields& fields, StudyReading& reading) {
       auto along = fields.table("along", Need::required, "a table such as {probe = \"strain\", component = \"xx\"}");
       if (along) series.along = read_observed(*along, series.scene, "", study), along->done();
     }
-    series.theory = read_theory(fields, series.scene, series.observed.si, study);
+    series.theory = read_theory(fields, series.scene, series.observed.si, series.kind == Kind::history, study);
     if (series.kind == Kind::history)
       series.time_unit = read_unit(fields, "time_unit", fields.text("time_unit", Need::optional).value_or("ms"), "s");
     if (series.observed.section.empty() == (series.kind == Kind::profile))
