@@ -1,5 +1,7 @@
 #include "compare/advise.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -22,9 +24,6 @@ double shortest_side(const Scene& scene) {
   if (!std::isfinite(shortest) || !(shortest > 0)) throw std::runtime_error("no body deforms: there is nothing to discretize");
   return shortest;
 }
-
-/// An order far from what any of the methods has is that of a ladder not yet on its way.
-bool plausible(double order) { return order >= 0.3 && order <= 6; }
 
 struct Ladders {
   const Scene& scene;
@@ -49,7 +48,7 @@ struct Ladders {
     Ladder values;
     for (std::size_t i = 0; i < m.rungs.size(); ++i) values.push_back({m.rungs[i].spacing, m.values[i]});
     const auto found = richardson(values);
-    return found && found->limit != 0 && plausible(found->order) && 125 * std::abs(m.values.back() / found->limit - 1) < 0.2 * *question.error;
+    return found && found->limit != 0 && is_convergence(found->order) && 125 * std::abs(m.values.back() / found->limit - 1) < 0.2 * *question.error;
   }
 
   /// One rung more; a second run where it takes little, since the less of two times is nearer to the truth.
@@ -73,7 +72,7 @@ struct Ladders {
 
   void run() {
     std::vector<bool> active(question.methods.size(), true);
-    for (const Method& method : question.methods) advice.methods.push_back({method, {}, {}, {}, "", {}, {}, 0, false});
+    for (const Method& method : question.methods) advice.methods.push_back({method, {}, {}, {}, "", {}, {}, 0, false, {}});
     for (const int divisions : ladder_divisions) {
       for (std::size_t k = 0; k < advice.methods.size(); ++k) {
         if (!active[k]) continue;
@@ -103,7 +102,27 @@ void find_limits(Advice& advice) {
     if (!found || found->limit == 0) continue;
     m.limit = found->limit, m.order = found->order;
     m.known_percent = 125 * std::abs(m.values.back() / found->limit - 1);
-    if (!plausible(found->order)) m.limit.reset();
+    if (!is_convergence(found->order)) m.limit.reset();
+  }
+}
+
+/// Every consistent method must approach a limit, if there is one: classic SPH has errors at a boundary that do not vanish.
+bool consistent(const Method& method) {
+  const auto* sph = std::get_if<sph::Options>(&method.options);
+  return !sph || sph->formulation != sph::Formulation::classic;
+}
+
+/// A ladder of five rungs or more whose values go on in one direction without the order of convergence, by steps that matter for the answer: as
+/// those under a force on a point do, by a logarithm.
+void find_dissent(Advice& advice) {
+  for (MethodEvidence& m : advice.methods) {
+    const std::size_t n = m.values.size();
+    if (!consistent(m.method) || n < 5) continue;
+    const double before = m.values[n - 2] - m.values[n - 3], last = m.values[n - 1] - m.values[n - 2];
+    const bool on = before * last > 0, matters = 100 * std::abs(last) >= 0.2 * advice.tolerance_percent * std::abs(m.values[n - 1]);
+    if (!on || !matters || (m.order && *m.order >= least_order)) continue;
+    m.dissent = fmt::format("the values of {} go on changing from spacing to spacing ({}), which is no convergence", m.method.name,
+                            m.order ? fmt::format("order {:.2f}", *m.order) : "by more each time");
   }
 }
 
@@ -126,6 +145,7 @@ void find_reference(Advice& advice) {
   bool fem = false, sph = false;
   for (MethodEvidence& m : advice.methods) {
     m.meets = meets(m, reference);
+    if (m.meets) advice.spread_percent = std::max(advice.spread_percent, 100 * std::abs(*m.limit / *reference.limit - 1));
     if (m.meets) ++advice.meeting, (m.method.is_fem() ? fem : sph) = true;
     for (std::size_t i = 0; i < m.rungs.size(); ++i) m.rungs[i].error = 100 * (m.values[i] / *reference.limit - 1);
   }
@@ -194,10 +214,17 @@ Advice advise(const Scene& scene, const Question& question, const Engine& engine
   Advice advice;
   advice.shortest = shortest_side(scene);
   advice.tolerance_percent = question.error ? std::max(0.5 * *question.error, 0.02) : 0.5;
+  advice.refusal = no_value_at(question.quantity, scene);
+  if (!advice.refusal.empty()) return advice;
+  advice.suspect = no_value_at(question.quantity, scene, false);
   Ladders{scene, question, engine, advice}.run();
   find_limits(advice);
+  find_dissent(advice);
   find_reference(advice);
-  if (!advice.reference)
+  const auto dissent = std::find_if(advice.methods.begin(), advice.methods.end(), [](const MethodEvidence& m) { return !m.dissent.empty(); });
+  if (dissent != advice.methods.end())
+    advice.refusal = dissent->dissent + ": there may be no limit to be near to" + (advice.suspect.empty() ? "" : "; " + advice.suspect);
+  else if (!advice.reference)
     advice.refusal = "no method's values approach a limit; a larger --budget allows finer runs";
   else if (advice.meeting < 2)
     advice.refusal = "no two methods approach the same limit, so that nobody knows which is right; a larger --budget allows finer runs";

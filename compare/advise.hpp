@@ -22,9 +22,10 @@ struct MethodEvidence {
   std::vector<PricedRung> rungs;     ///< errors once there is a reference
   std::vector<double> values;
   std::string trouble;               ///< why it has fewer rungs than others; empty: the budget
-  std::optional<double> limit, order;///< Richardson's, of the finest three rungs
+  std::optional<double> limit, order;///< Richardson's, of the finest three rungs; no limit without an order of convergence (ladder.hpp)
   double known_percent = 0;          ///< 1.25 times the distance of the finest rung from the limit (Roache 1998, 5.9)
   bool meets = false;                ///< its limit lies within Advice::tolerance_percent of the reference
+  std::string dissent;               ///< of a consistent method with five rungs: why it speaks against there being a limit
 };
 
 struct Choice {
@@ -42,6 +43,8 @@ struct Advice {
   double tolerance_percent = 0, known_percent = 0;
   int meeting = 0;                   ///< methods whose limits meet, the reference's own among them
   bool both_kinds = false;           ///< FEM and SPH are among them
+  double spread_percent = 0;         ///< how far the limits that meet lie from the reference, at most
+  std::string suspect;               ///< why the number may have no limit: on a support of which only a run tells whether it bears anything
   std::vector<std::optional<Choice>> choices;  ///< what each method would need, or reach
   std::vector<std::string> why_not;            ///< of a method without a choice
   std::optional<Choice> best;

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "compare/advise.hpp"
@@ -43,23 +44,47 @@ std::string limits(const Question& question, const Advice& advice) {
   return markdown_table(cells);
 }
 
+/// What the evidence is made of: how near the limits are to each other, and with which orders they are approached.
+std::string agreement(const Advice& advice) {
+  if (advice.meeting < 2) return "";
+  double least = 1e300, most = 0;
+  for (const MethodEvidence& m : advice.methods)
+    if (m.meets && m.order) least = std::min(least, *m.order), most = std::max(most, *m.order);
+  return fmt::format(" (the farthest is {} % away; orders {:.2f} to {:.2f})", rounded(advice.spread_percent, 2), least, most);
+}
+
+/// No more than the evidence carries.
+std::string confidence(const Advice& advice) {
+  for (const MethodEvidence& m : advice.methods)
+    if (!m.dissent.empty()) return "but " + m.dissent + ": confidence none";
+  if (advice.meeting < 2) return "confidence none";
+  if (!advice.suspect.empty()) return "but there is " + advice.suspect + ": confidence low";
+  return advice.both_kinds ? "FEM and SPH among them: confidence good" : advice.meeting >= 3 ? "all of one kind: confidence fair" : "all of one kind: confidence low";
+}
+
+/// Which probe it is: nobody need guess that the first was taken.
+std::string probe_line(const Scene& scene, const Question& question) {
+  for (const Probe& probe : scene.probes)
+    if (probe.name == question.quantity.observed.probe)
+      return line("probe", fmt::format("{} of body {}, component {}{}", probe.name, scene.bodies[probe.body].name, question.quantity.observed.component,
+                                       scene.probes.size() > 1 ? fmt::format("; one of {} probes (--probe names another)", scene.probes.size()) : ""));
+  return "";
+}
+
 }  // namespace
 
 std::string describe(const Scene& scene, const Question& question, const Advice& advice) {
   std::string text = scene.title + "\n";
   const auto& q = question.quantity;
   text += line("asked", q.name + (question.error ? fmt::format(", error at most {:g} %", *question.error) : fmt::format(", least error within {} of CPU", seconds(*question.within))));
-  text += line("ladders", fmt::format("{} methods, spacings as parts of the shortest side, {} mm; {} of CPU on one thread", advice.methods.size(), millimetres(advice.shortest), seconds(advice.spent)));
-  text += "\n" + ladders(question, advice) + "\n" + limits(question, advice) + "\n";
+  text += probe_line(scene, question);
+  if (!advice.methods.empty()) text += line("ladders", fmt::format("{} methods, spacings as parts of the shortest side, {} mm; {} of CPU on one thread", advice.methods.size(), millimetres(advice.shortest), seconds(advice.spent)));
+  if (!advice.methods.empty()) text += "\n" + ladders(question, advice) + "\n" + limits(question, advice) + "\n";
   if (advice.reference) {
     const MethodEvidence& reference = advice.methods[*advice.reference];
     text += line("reference", fmt::format("{} {}, Richardson's limit of {}, known to {} %", rounded(*reference.limit, 5), q.observed.unit.name, reference.method.name,
                                           rounded(reference.known_percent, 2)));
-    text += line("evidence", fmt::format("{} of {} methods approach it within {:g} %, {}", advice.meeting, advice.methods.size(), advice.tolerance_percent,
-                                         advice.both_kinds        ? "FEM and SPH among them: confidence good"
-                                         : advice.meeting >= 3    ? "all of one kind: confidence fair"
-                                         : advice.meeting >= 2    ? "all of one kind: confidence low"
-                                                                  : "confidence none"));
+    text += line("evidence", fmt::format("{} of {} methods approach it within {:g} %{}, {}", advice.meeting, advice.methods.size(), advice.tolerance_percent, agreement(advice), confidence(advice)));
   }
   if (!advice.best) return text + line("advice", "none: " + advice.refusal);
   const Choice& best = *advice.best;

@@ -1,6 +1,8 @@
 #pragma once
 // Bar and beam theory of a box that is held on x- and loaded on x+. SI units, signs as in the scene.
 
+#include <limits>
+
 #include "model/scene/scene.hpp"
 
 namespace femsph::compare {
@@ -14,13 +16,16 @@ struct LoadedBox {
   double density;                ///< kg/m^3
   Point force;                   ///< total of the loads at the end of their time histories, N
   bool step;                     ///< the loads act in full from the start
+  bool damped;                   ///< by [damping] or [settling]: no history, frequency or peak is known
   double duration;               ///< of the scene, s
+  double yield = std::numeric_limits<double>::infinity();  ///< Pa: elastic up to here
   double area() const { return height * width; }
   double inertia() const { return width * height * height * height / 12; }
 };
 
 /// The box of a scene for bar theory (the total force is along x) or for beam theory (it is along y).
-/// Throws std::runtime_error with one sentence if the scene is not of that kind.
+/// Throws std::runtime_error with one sentence if the scene is not of that kind: another body, shape or support, a load that turns the end
+/// about its middle, bars, a plane of symmetry, a stress beyond yield.
 LoadedBox bar_of(const Scene& scene);
 LoadedBox cantilever_of(const Scene& scene);
 

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "compare/ladder.hpp"
+#include "model/scene/faults.hpp"
 
 namespace femsph::compare {
 namespace {
@@ -22,10 +23,15 @@ std::string percent(double value) { return fmt::format("{:+.3g} %", value); }
 // The rows of a filter that have what a claim asks for.
 std::vector<const Row*> rows_of(const RowFilter& filter, const Claim& claim, const std::vector<Row>& rows, Verdict& verdict) {
   std::vector<const Row*> found;
-  int without = 0;
+  int without = 0, unsettled = 0;
+  std::vector<std::string> missing = filter.cases;  // of several cases each must be there: half of them do not answer for all
+  std::string doubt;
   for (const Row& row : rows) {
     if (!filter.matches(row)) continue;
-    const bool usable = row.value && (claim.of_value || error_of(row, claim.reference));
+    std::erase(missing, row.case_name);
+    const bool usable = row.value && std::isfinite(*row.value) && (claim.of_value || error_of(row, claim.reference));
+    if (claim.reference == Reference::limit && !row.limit_doubt.empty()) doubt = row.limit_doubt;
+    unsettled += usable && row.settled == false;
     if (usable)
       found.push_back(&row);
     else
@@ -35,7 +41,11 @@ std::vector<const Row*> rows_of(const RowFilter& filter, const Claim& claim, con
     add_note(verdict, fmt::format("{} row{} without a result ({})", without, without == 1 ? "" : "s", filter.describe()));
   else if (found.empty())
     add_note(verdict, "no row for " + filter.describe());
-  if (without > 0) found.clear();
+  else if (!missing.empty())
+    add_note(verdict, "no row of " + one_of(missing));
+  if (!doubt.empty()) add_note(verdict, "no limit: " + doubt);
+  if (without > 0 || !missing.empty()) found.clear();
+  if (!found.empty() && unsettled > 0) add_note(verdict, fmt::format("{} row{} not settled", unsettled, unsettled == 1 ? "" : "s"));
   return found;
 }
 

@@ -45,7 +45,7 @@ struct Verdict {
   std::string note;         ///< what the evaluation met, and the claim's own note if it does not hold
 };
 
-/// Answers every claim from the rows alone. `unknown` when a row is missing.
+/// Answers every claim from the rows alone. `unknown` when a row is missing, or has no number; of several cases each must be there.
 std::vector<Verdict> judge(const std::vector<Claim>& claims, const std::vector<Row>& rows);
 
 std::string csv(const std::vector<Verdict>& verdicts);

@@ -69,9 +69,10 @@ std::vector<double> resample(std::span<const double> x, std::span<const double> 
 
 std::optional<double> dominant_frequency(std::span<const double> time, std::span<const double> value) {
   if (value.size() < 3 || value.size() != time.size()) return {};
+  if (std::any_of(value.begin(), value.end(), [](double v) { return !std::isfinite(v); })) return {};
   const auto [low, high] = std::minmax_element(value.begin(), value.end());
   const double level = (*low + *high) / 2, band = (*high - *low) / 10;
-  if (band == 0) return {};
+  if (10 * band <= 1e-9 * std::max(std::abs(*low), std::abs(*high))) return {};  // at rest: what swings is round-off
   std::vector<double> mirrored(value.begin(), value.end());
   for (double& v : mirrored) v = 2 * level - v;
   double span = 0;

@@ -19,7 +19,8 @@ std::vector<double> resample(std::span<const double> x, std::span<const double> 
 
 /// Frequency (Hz, if time is in s) of the slowest strong oscillation of a history: one over the mean time between crossings of the
 /// middle level in the same direction. A crossing counts once the history has left a band of a tenth of the range on either
-/// side, so small ripples do not count; the band's level cancels out, so whole periods are not needed. Nothing if it never swings back.
+/// side, so small ripples do not count; the band's level cancels out, so whole periods are not needed. Nothing if it never swings
+/// back, or by less than 1e-9 of its size.
 std::optional<double> dominant_frequency(std::span<const double> time, std::span<const double> value);
 
 }  // namespace femsph::compare

@@ -24,6 +24,11 @@ struct Extrapolation {
 };
 std::optional<Extrapolation> richardson(Ladder values);
 
+/// Orders that are those of convergence. Below: with halved spacings the differences fall by less than 0.7, as those of something that grows as a
+/// logarithm do (order 0). Above: no method here has it, so that the ladder is not on its way yet.
+inline constexpr double least_order = 0.5, greatest_order = 6;
+inline bool is_convergence(double order) { return order >= least_order && order <= greatest_order; }
+
 /// The coarsest spacing from which on every finer one has at most the error `target`, by interpolation in log-log.
 struct SpacingAtError {
   double spacing;

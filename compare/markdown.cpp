@@ -103,10 +103,11 @@ std::string markdown_table(const Cells& cells) {
 
 std::string markdown(const std::vector<Row>& rows, const std::vector<Order>& orders) {
   std::vector<std::string> quantities;
-  std::set<std::string> studies, failures;
+  std::set<std::string> studies, failures, doubts;
   for (const Row& row : rows) {
     studies.insert(row.study);
     if (std::find(quantities.begin(), quantities.end(), row.quantity) == quantities.end()) quantities.push_back(row.quantity);
+    if (!row.limit_doubt.empty() && row.failure.empty()) doubts.insert(fmt::format("- {} {}{}: {}\n", row.study, row.quantity, row.scene.empty() ? "" : " in " + row.scene, in_cell(row.limit_doubt)));
     if (!row.failure.empty()) failures.insert(fmt::format("- {} {} {}: {}\n", row.study, row.case_name, row.method, row.failure));
   }
   std::string text;
@@ -117,6 +118,11 @@ std::string markdown(const std::vector<Row>& rows, const std::vector<Order>& ord
     if (!shown.empty()) text += quantity_table(shown, studies.size() > 1) + "\n";
   }
   if (!orders.empty()) text += order_table(orders) + "\n";
+  if (!doubts.empty()) {
+    text += "**No limit to compare with**\n\n";
+    for (const std::string& doubt : doubts) text += doubt;
+    text += "\n";
+  }
   if (!failures.empty()) {
     text += "**No result**\n\n";
     for (const std::string& failure : failures) text += failure;

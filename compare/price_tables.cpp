@@ -147,7 +147,9 @@ std::vector<PricedScene> priced_scenes(const Study& study, const std::vector<Row
     const std::string file = quantity->scene.value_or(study.scenes.begin()->first);
     const auto own = study.limits.find(file);
     const std::string reference = own != study.limits.end() ? own->second.ladder : "";
-    PricedScene scene{&spec, {}, {}, {}, quantity->observed.unit.name};
+    PricedScene scene{&spec, {}, {}, {}, quantity->observed.unit.name, "no run gave a value"};
+    for (const Row& row : rows)
+      if (row.scene == file && row.study == study.name && row.quantity == spec.quantity && row.value) scene.nothing = row.limit_doubt.empty() ? "there is nothing to err from" : row.limit_doubt;
     std::vector<std::string> methods;
     for (const Row& row : rows)
       if (row.scene == file && row.study == study.name && row.quantity == spec.quantity && row.method != reference && std::find(methods.begin(), methods.end(), row.method) == methods.end())
@@ -265,6 +267,10 @@ std::string price_markdown(const std::vector<PricedScene>& scenes) {
     double spread = 0;
     for (const auto& entry : scene.methods) spread = std::max(spread, entry.spread_percent);
     if (spread > 0) text += fmt::format("; repeated runs differ by {:.0f} % of the median at most", spread);
+    if (scene.methods.empty()) {
+      text += fmt::format(".\n\nNo price: {}.\n\n", scene.nothing);
+      continue;
+    }
     text += ".\n\n" + price_table(scene) + spacing_table(scene) + finer_table(scene) + "\n";
   }
   return text;

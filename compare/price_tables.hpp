@@ -18,6 +18,7 @@ struct PricedScene {
   std::vector<Entry> methods;
   std::optional<double> reference, known_percent;  ///< in `unit`; known_percent: of an extrapolated limit
   std::string unit;
+  std::string nothing;  ///< why no row has an error
 };
 
 /// Rows without a value, and of runs that should have settled and did not, are left out; so is the ladder that gave the limit.

@@ -156,15 +156,20 @@ RunResult run_scene(const Scene& scene, const Method& method, const Resolution& 
   r.profiles = recorder.profiles(march);
   r.momentum_error = march.force_imbalance();
   r.moment_error = march.moment_imbalance();
-  if (const auto* options_of_sph = std::get_if<sph::Options>(&method.options); options_of_sph && options.scalars.contains("surface_weight_loss")) {
+  // Of several bodies the coarsest counts: that with the widest spacing, and of those the one with the fewest cells.
+  for (const MovingBody& body : march.bodies()) {
+    const Shape& shape = *scene.bodies[body.index].shape;
+    const double spacing = shape.cells() && method.is_fem() ? body.discretization->spacing() : height_spacing(shape, divisions_of(shape, resolution));
+    const int cells = int(std::lround((shape.upper()[1] - shape.lower()[1]) / spacing));
+    if (spacing > r.spacing * (1 + 1e-9)) r.spacing = spacing, r.cells_over_height = cells;
+    else if (spacing >= r.spacing * (1 - 1e-9)) r.cells_over_height = std::min(r.cells_over_height, cells);
+    const auto* options_of_sph = std::get_if<sph::Options>(&method.options);
+    if (!options_of_sph || !options.scalars.contains("surface_weight_loss")) continue;
     sph::Options o = *options_of_sph;
-    o.spacing = march.bodies()[0].discretization->spacing();
-    r.scalars["surface_weight_loss"] = sph::surface_weight_loss(scene, march.bodies()[0].index, o);
+    o.spacing = body.discretization->spacing();
+    double& loss = r.scalars["surface_weight_loss"];
+    loss = std::max(loss, sph::surface_weight_loss(scene, body.index, o));
   }
-  const Shape& first = *scene.bodies[march.bodies()[0].index].shape;
-  if (first.cells() && method.is_fem()) r.spacing = march.bodies()[0].discretization->spacing();
-  else r.spacing = height_spacing(first, divisions_of(first, resolution));
-  r.cells_over_height = int(std::lround((first.upper()[1] - first.lower()[1]) / r.spacing));
   return r;
 }
 

@@ -67,8 +67,8 @@ struct RunResult {
   double moment_error = 0;                  ///< the same of their moments
   Price price;
   bool settled = false;
-  double spacing = 0;                       ///< m, as discretized
-  int cells_over_height = 0;                ///< cells, or particles less one, along y
+  double spacing = 0;                       ///< m, as discretized; of several bodies the widest
+  int cells_over_height = 0;                ///< cells, or particles less one, along y; of bodies with that spacing the fewest
   std::size_t points = 0;                   ///< nodes or particles
   std::map<std::string, double> scalars;    ///< numbers that belong to the whole run, SI, by their names in run_scalars()
   std::vector<std::pair<std::string, std::string>> derived;  ///< see derived_values

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <stdexcept>
 
 #include "compare/errors.hpp"
 #include "compare/reduce.hpp"
@@ -63,7 +64,11 @@ std::string error_csv(const SeriesSpec& series, const StudyOutcome& outcome) {
   for (const Row* row : rows) {
     auto curve = std::find_if(curves.begin(), curves.end(), [&](const NamedCurve& c) { return c.name == row->method; });
     if (curve == curves.end()) curve = curves.insert(curves.end(), {row->method, std::vector<double>(x.size(), std::nan(""))});
-    curve->values[std::find(x.begin(), x.end(), place(*row)) - x.begin()] = *error_of(*row, series.reference);
+    double& value = curve->values[std::find(x.begin(), x.end(), place(*row)) - x.begin()];
+    const double error = *error_of(*row, series.reference);
+    if (!std::isnan(value) && value != error)
+      throw std::runtime_error(fmt::format("{} has two values of {} at {}; expected \"cases\" that choose one", row->method, series.quantity, place(*row)));
+    value = error;
   }
   return wide_csv(over_cases ? "case" : "spacing_mm", x, curves);
 }
@@ -114,6 +119,9 @@ std::string curves_csv(const SeriesSpec& series, const Study& study, const Study
   std::vector<double> x = grid(raw, history);
   std::vector<NamedCurve> curves;
   for (std::size_t i = 0; i < raw.size(); ++i) curves.push_back({curve_name(series, *runs[i]->plan), resample(raw[i].at, raw[i].value, x)});
+  if (series.theory && !series.scene)
+    for (const FinishedRun* run : runs)
+      if (run->plan->scene != runs[0]->plan->scene) throw std::runtime_error("its runs are of several scenes, each with a theory of its own; expected \"scene\", which says whose it is");
   if (series.theory && !runs.empty())
     curves.push_back({"theory", theory_values(series, study.scenes.at(series.scene.value_or(runs[0]->plan->scene)), x)});
   for (double& at : x) at /= history ? series.time_unit.factor : 1e-3;

@@ -36,6 +36,7 @@ struct Observed {
   std::string probe, section, column, scalar;  ///< exactly one of them is named
   std::string component;
   Unit unit;
+  std::string si = {};  ///< of a column: what it is taken to be in; empty: whatever it is
 };
 
 /// `integral`: of a force over time; `duration`: from the first to the last sample that is not zero, as a time of contact; `excess`: largest amount by which an equivalent stress lies above its yield curve, yield + H p, over the yield stress; `moment`: of a section's axial stress about its middle, integral sigma_xx (y - y0) dA.

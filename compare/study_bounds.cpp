@@ -16,6 +16,29 @@ std::optional<double> not_negative(Fields& fields, const char* key) {
   return {};
 }
 
+bool listed(const std::vector<std::string>& names, const std::string& name) {
+  return names.empty() || std::find(names.begin(), names.end(), name) != names.end();
+}
+
+/// Some run of these cases and methods gives a quantity that `fits`.
+template <class Fits>
+bool some_row(const Study& study, const std::vector<std::string>& cases, const std::vector<std::string>& methods, Fits fits) {
+  for (const PlannedRun& run : study.runs)
+    if (listed(cases, run.case_name) && listed(methods, run.label))
+      for (const QuantitySpec& quantity : study.quantities)
+        if (quantity.is_of(run) && fits(quantity)) return true;
+  return false;
+}
+
+/// A bound that no row can break says nothing.
+void check_bound(const Fields& fields, const Bound& bound, const Study& study) {
+  const auto named = [&](const QuantitySpec& q) { return bound.quantity.empty() || q.name == bound.quantity; };
+  if (!some_row(study, bound.cases, bound.methods, named))
+    fields.fault(bound.quantity.empty() ? "cases" : "quantity", "no run gives these cases, methods and quantity together; expected words of one run");
+  else if (bound.error_percent && !some_row(study, bound.cases, bound.methods, [&](const QuantitySpec& q) { return named(q) && (q.theory || q.reference); }))
+    fields.fault("error_percent", "no quantity of this bound has a theory or a reference to err from; expected one that has");
+}
+
 void one_bound(Fields& fields, StudyReading& reading) {
   const Study& study = reading.study;
   Bound bound;
@@ -33,6 +56,7 @@ void one_bound(Fields& fields, StudyReading& reading) {
   bound.low = fields.number("low", Need::optional);
   bound.high = fields.number("high", Need::optional);
   fields.done();
+  if (bound.quantity.empty() || std::find(known.begin(), known.end(), bound.quantity) != known.end()) check_bound(fields, bound, study);
   reading.study.bounds.push_back(bound);
 }
 
@@ -43,6 +67,8 @@ void one_expectation(Fields& fields, StudyReading& reading) {
   expectation.messages = fields.texts("messages", Need::required, "a list of words, of which the failure says one").value_or(std::vector<std::string>{});
   expectation.reason = fields.text("reason", Need::required, "why it must fail").value_or("");
   fields.done();
+  if (!some_row(reading.study, expectation.cases, expectation.methods, [](const QuantitySpec&) { return true; }))
+    fields.fault("cases", "no run has these cases and methods together; expected words of one run");
   if (reading.study.bounds.empty()) fields.fault("messages", "[[expectations]] without [[bounds]]; expected bounds that the failure breaks");
   reading.study.expectations.push_back(expectation);
 }

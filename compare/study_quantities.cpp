@@ -7,6 +7,7 @@
 
 #include "compare/study_reading.hpp"
 #include "compare/theory.hpp"
+#include "model/motion/recorder.hpp"
 #include "model/scene/units.hpp"
 
 namespace femsph::compare {
@@ -45,37 +46,18 @@ std::string scalar_unit(const std::string& scalar) {
 /// What the other columns of a history hold (model/motion/README.md): contact_NAME_force_x, support_NAME_force_x, support_NAME_moment_z, and of a
 /// rigid body NAME_x, NAME_vx, NAME_turn.
 std::string column_unit(const std::string& column) {
+  if (std::find(energies.begin(), energies.end(), column) != energies.end()) return "J";
+  if (column.starts_with("momentum_")) return "kg m/s";
+  if (column.starts_with("angular_momentum_")) return "kg m^2/s";
   const bool action = column.starts_with("contact_") || column.starts_with("support_");
   if (action && column.find("_force_") != std::string::npos) return "N";
   if (action && column.find("_moment_") != std::string::npos) return "N m";
   if (column.ends_with("_vx") || column.ends_with("_vy") || column.ends_with("_vz")) return "m/s";
-  return column.ends_with("_turn") ? "1" : "m";
+  return column == "time" ? "s" : column.ends_with("_turn") ? "rad" : "m";
 }
 
 bool of_section(Reduce reduce) {
   return reduce == Reduce::fibre_upper || reduce == Reduce::fibre_lower || reduce == Reduce::l2 || reduce == Reduce::moment;
-}
-
-const char* si_unit(Quantity quantity) {
-  switch (quantity) {
-    case Quantity::displacement:
-      return "m";
-    case Quantity::velocity:
-      return "m/s";
-    case Quantity::stress:
-    case Quantity::equivalent_stress:
-      return "Pa";
-    case Quantity::strain:
-    case Quantity::plastic_strain:
-      break;
-  }
-  return "1";
-}
-
-std::vector<std::string> components(Quantity quantity) {
-  if (quantity == Quantity::plastic_strain || quantity == Quantity::equivalent_stress) return {"equivalent"};
-  const bool vector = quantity == Quantity::displacement || quantity == Quantity::velocity;
-  return vector ? std::vector<std::string>{"x", "y", "z"} : std::vector<std::string>{"xx", "yy", "zz", "xy", "yz", "zx"};
 }
 
 template <class T>
@@ -84,15 +66,29 @@ std::optional<Quantity> observer(const std::vector<T>& list, const std::string& 
   return found == list.end() ? std::nullopt : std::optional(found->quantity);
 }
 
-// The probe or section must be in every scene that `scene` names: all of them when it names none.
-std::optional<Quantity> find_observer(Fields& fields, const char* key, const std::string& name, const std::optional<std::string>& scene,
-                                      const Study& study) {
-  std::optional<Quantity> quantity;
+/// What a probe or a section of this name reads, and the components that it has in every scene asked.
+struct Found {
+  Quantity quantity;
+  std::vector<std::string> components;
+};
+
+// The probe or section must be in every scene that `scene` names, and read the same there: all of them when it names none.
+std::optional<Found> find_observer(Fields& fields, const char* key, const std::string& name, const std::optional<std::string>& scene,
+                                   const Study& study) {
+  std::optional<Found> found;
   const bool section = std::string(key) == "section";
   for (const auto& [file, read] : study.scenes) {
     if (scene && *scene != file) continue;
-    quantity = section ? observer(read.sections, name) : observer(read.probes, name);
-    if (quantity) continue;
+    const auto quantity = section ? observer(read.sections, name) : observer(read.probes, name);
+    if (quantity && found && found->quantity != *quantity) {
+      fields.fault(key, fmt::format("the {} {} reads one quantity in {} and another in other scenes; expected \"scene\", which says whose it is", key, in_quotes(name), file));
+      return {};
+    }
+    if (quantity) {
+      const auto names = component_names(*quantity, read.dim());
+      if (!found || names.size() < found->components.size()) found = {*quantity, names};
+      continue;
+    }
     std::vector<std::string> names;
     if (section)
       for (const Section& s : read.sections) names.push_back(s.name);
@@ -102,7 +98,7 @@ std::optional<Quantity> find_observer(Fields& fields, const char* key, const std
                                   names.empty() ? "" : "; expected " + one_of(names), did_you_mean(name, names)));
     return {};
   }
-  return quantity;
+  return found;
 }
 
 Unit read_unit(Fields& fields, const char* key, const std::optional<std::string>& name, const std::string& si) {
@@ -138,27 +134,37 @@ Observed read_observed(Fields& fields, const std::optional<std::string>& scene, 
                  fmt::format("unknown energy {}; expected {}{}", in_quotes(*energy), one_of(energies), did_you_mean(*energy, energies)));
   if (probe || section) {
     const char* key = probe ? "probe" : "section";
-    const auto quantity = find_observer(fields, key, probe ? *probe : *section, scene, study);
-    if (!quantity) return observed;
-    const auto known = components(*quantity);
+    const auto found = find_observer(fields, key, probe ? *probe : *section, scene, study);
+    if (!found) return observed;
+    const auto& known = found->components;
     observed.component = component.value_or(known.size() == 1 ? known[0] : "");
     if (std::find(known.begin(), known.end(), observed.component) == known.end())
       fields.fault(component ? "component" : key,
                    fmt::format("the component is {}; expected {}", in_quotes(observed.component), one_of(known)));
-    si = si_unit(*quantity);
+    si = unit_of(found->quantity);
   }
   observed.unit = read_unit(fields, "unit", unit, si_of_reduced.empty() ? si : si_of_reduced);
+  observed.si = si;
   return observed;
 }
 
-// The theory must be able to speak of every scene that it will be asked for: better said now than after the runs.
-std::optional<std::string> read_theory(Fields& fields, const std::optional<std::string>& scene, const Study& study) {
+// The theory must be able to speak of every scene that it will be asked for, and of what is read: better said now than after the runs.
+std::optional<std::string> read_theory(Fields& fields, const std::optional<std::string>& scene, const std::string& si, bool over_time, const Study& study) {
   const auto name = fields.text("theory", Need::optional, "the name of a theory value");
   if (!name) return {};
   try {
+    const Theory& theory = theory_named(*name);
+    if (theory.on_time() && !over_time) {
+      fields.fault("theory", "a theory that depends on time; expected one value (a history goes into [[series]])");
+      return {};
+    }
     for (const auto& [file, read] : study.scenes)
-      if (!scene || *scene == file) theory_named(*name).value(read, read.bodies[0].shape->lower(), 0);
-    return theory_named(*name).name;
+      if (!scene || *scene == file) theory.value(read, read.bodies[0].shape->lower(), 0);
+    if (!si.empty() && theory.unit != si) {
+      fields.fault("theory", fmt::format("{} is in {}, and what is read is in {}; expected a theory of the same kind", theory.name, theory.unit, si));
+      return {};
+    }
+    return theory.name;
   } catch (const std::runtime_error& e) {
     fields.fault("theory", e.what());
     return {};
@@ -181,6 +187,39 @@ std::optional<double> read_in_unit(Fields& fields, const char* key, const Unit& 
   return fields.quantity(key, Need::optional, Dimension{unit.name.c_str(), "a number with the unit of the quantity", unit.name.c_str()});
 }
 
+/// A window is of a history, and within the run of every scene.
+void check_window(Fields& fields, const QuantitySpec& quantity, const Study& study) {
+  if (!quantity.window) return;
+  if (!quantity.observed.section.empty() || !quantity.observed.scalar.empty())
+    return fields.fault("window", "\"window\" with a section or a scalar, which have no history; expected it with a probe, a column or an energy");
+  for (const auto& [file, scene] : study.scenes)
+    if ((!quantity.scene || *quantity.scene == file) && (*quantity.window)[1] > scene.duration * (1 + 1e-9))
+      fields.fault("window", fmt::format("\"window\" goes on to {:.6g} ms, and {} to {:.6g} ms; expected a window within the run", 1e3 * (*quantity.window)[1], file, 1e3 * scene.duration));
+}
+
+/// What a reduction would not look at must not be given.
+void check_fit(Fields& fields, const QuantitySpec& quantity) {
+  if (quantity.reduce == Reduce::excess && (quantity.theory || quantity.reference || quantity.sign != SignRule::as_is || quantity.offset != 0))
+    fields.fault("reduce", "excess is measured from its own yield curve; expected it without theory, reference, sign and offset");
+  if (quantity.reduce == Reduce::l2 && (quantity.reference || quantity.sign != SignRule::as_is))
+    fields.fault("reduce", "l2 is a distance from theory or limit; expected it without reference and sign");
+  if (!quantity.observed.scalar.empty() && quantity.reduce != Reduce::final)
+    fields.fault("reduce", "a scalar is one number of the whole run; expected no \"reduce\"");
+  if (quantity.reduce == Reduce::integral && !quantity.observed.si.empty() && quantity.observed.si != "N")
+    fields.fault("reduce", fmt::format("the integral over time is that of a force, in N s; what is read is in {}", quantity.observed.si));
+  if (quantity.reduce == Reduce::moment && quantity.observed.component != "xx")
+    fields.fault("component", fmt::format("a moment is of the stress xx, and the component is {}; expected \"xx\"", in_quotes(quantity.observed.component)));
+}
+
+/// Two numbers of one run under one name: a claim, a price or a bound would take either.
+void check_twice(Fields& fields, const QuantitySpec& quantity, const Study& study) {
+  for (const PlannedRun& run : study.runs)
+    if (quantity.is_of(run))
+      for (const QuantitySpec& other : study.quantities)
+        if (other.name == quantity.name && other.is_of(run))
+          return fields.fault("name", fmt::format("two quantities of the run {} {} are called {}; expected a name for each", run.case_name, run.label, in_quotes(quantity.name)));
+}
+
 void one_quantity(Fields& fields, StudyReading& reading) {
   QuantitySpec quantity;
   quantity.name = fields.text("name", Need::required, "a name for the tables").value_or("");
@@ -197,7 +236,9 @@ void one_quantity(Fields& fields, StudyReading& reading) {
     if (along) quantity.along = read_observed(*along, quantity.scene, "", reading.study), along->done();
   }
   quantity.sign = fields.choice<SignRule>("sign", Need::optional, signs).value_or(SignRule::as_is);
-  quantity.theory = read_theory(fields, quantity.scene, reading.study);
+  // l2 compares what is read itself; the others what `reduce` makes of it.
+  quantity.theory = read_theory(fields, quantity.scene, si.empty() || quantity.reduce == Reduce::l2 ? quantity.observed.si : si,
+                                quantity.reduce == Reduce::l2 && !quantity.observed.probe.empty(), reading.study);
   quantity.reference = read_in_unit(fields, "reference", quantity.observed.unit);
   if (const auto offset = read_in_unit(fields, "offset", quantity.observed.unit)) {
     quantity.offset = *offset;
@@ -210,6 +251,9 @@ void one_quantity(Fields& fields, StudyReading& reading) {
     else fields.fault("window", "\"window\" is no interval; expected two times, such as [\"10 us\", \"20 us\"]");
   }
   fields.done();
+  check_window(fields, quantity, reading.study);
+  check_fit(fields, quantity);
+  check_twice(fields, quantity, reading.study);
   const bool history_l2 = quantity.reduce == Reduce::l2 && !quantity.observed.probe.empty();  // against a theory over time
   if (history_l2 && !(quantity.theory && theory_named(*quantity.theory).on_time()))
     fields.fault("reduce", "l2 of a probe compares its whole history; expected \"theory\" with one that depends on time");
@@ -217,8 +261,6 @@ void one_quantity(Fields& fields, StudyReading& reading) {
     fields.fault(
         "reduce",
         "\"reduce\" does not fit; expected fibre_upper, fibre_lower, l2 or moment for a section, and one of the others for a probe or an energy");
-  if (!history_l2 && quantity.theory && theory_named(*quantity.theory).on_time())
-    fields.fault("theory", "a theory that depends on time; expected one value (a history goes into [[series]])");
   if (quantity.reduce == Reduce::l2 && !quantity.theory && !reading.study.limit && reading.study.limits.empty())
     fields.fault("reduce", "l2 has nothing to compare with; expected \"theory\", or [limit] in the study");
   reading.study.quantities.push_back(quantity);
@@ -260,7 +302,7 @@ void one_series(Fields& fields, StudyReading& reading) {
       auto along = fields.table("along", Need::required, "a table such as {probe = \"strain\", component = \"xx\"}");
       if (along) series.along = read_observed(*along, series.scene, "", study), along->done();
     }
-    series.theory = read_theory(fields, series.scene, study);
+    series.theory = read_theory(fields, series.scene, series.observed.si, series.kind == Kind::history, study);
     if (series.kind == Kind::history)
       series.time_unit = read_unit(fields, "time_unit", fields.text("time_unit", Need::optional).value_or("ms"), "s");
     if (series.observed.section.empty() == (series.kind == Kind::profile))

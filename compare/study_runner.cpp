@@ -64,6 +64,12 @@ void add_paper(const Study& study, Row& row) {
   }
 }
 
+/// A limit that is none: nothing is compared with it.
+void forget_limit(const QuantitySpec& quantity, Row& row) {
+  row.limit.reset(), row.error_vs_limit_percent.reset(), row.limit_known_percent.reset();
+  if (quantity.reduce == Reduce::l2 && !row.error_percent) row.value.reset(), row.failure = "no limit: " + row.limit_doubt;
+}
+
 // The rows of one run; a quantity that cannot be taken is a row with the reason.
 std::vector<Row> rows_of(const Study& study, const PlannedRun& run, const RunResult* result, const RunResult& partial,
                          const std::string& failure, const StaticLimits& limits) {
@@ -86,6 +92,8 @@ std::vector<Row> rows_of(const Study& study, const PlannedRun& run, const RunRes
           if (const auto coarser = reduce(quantity, *result, scene, &known->coarser).limit; coarser && *reduced.limit != 0)
             row.limit_known_percent = 100 * std::abs(*coarser / *reduced.limit - 1);
         row.limit = reduced.limit, row.error_vs_limit_percent = reduced.error_vs_limit_percent;
+        if (row.error_vs_limit_percent) row.limit_doubt = doubt_of(quantity, scene, *known);
+        if (!row.limit_doubt.empty()) forget_limit(quantity, row);
       } catch (const std::exception& e) {
         row.failure = e.what();
       }
@@ -103,6 +111,7 @@ std::string line_of(const Study& study, const PlannedRun& run, const std::vector
   for (const Row& row : rows) {
     line += row.value ? fmt::format("  {} {} {}", row.quantity, rounded(*row.value), row.unit)
                       : fmt::format("  {}: {}", row.quantity, row.failure);
+    if (!row.limit_doubt.empty()) line += " (no limit: table.md says why)";
     if (row.error_percent && row.theory) line += fmt::format(" ({:+.2f} %)", *row.error_percent);
   }
   if (!rows.empty() && rows[0].settled == false) line += "  NOT SETTLED";

@@ -85,15 +85,15 @@ Order order_of(const std::vector<const Row*>& rungs, Reference reference) {
   order.pairwise = pairwise_orders(errors);
   order.observed = fitted_order(errors);
   const bool a_distance = !first.theory && !first.limit;  // l2: its value is an error, whose limit is no result
-  if (const auto extrapolation = richardson(values); extrapolation && !a_distance) order.extrapolated = extrapolation->limit;
+  if (const auto extrapolation = richardson(values); extrapolation && !a_distance && is_convergence(extrapolation->order)) order.extrapolated = extrapolation->limit;
   return order;
 }
 
 }  // namespace
 
 std::optional<double> error_of(const Row& row, Reference reference) {
-  if (reference == Reference::value) return row.value;
-  return reference == Reference::theory ? row.error_percent : row.error_vs_limit_percent;
+  const auto error = reference == Reference::value ? row.value : reference == Reference::theory ? row.error_percent : row.error_vs_limit_percent;
+  return error && std::isfinite(*error) ? error : std::nullopt;
 }
 
 std::vector<Order> orders_of(const std::vector<Row>& rows) {
@@ -109,7 +109,7 @@ std::vector<Order> orders_of(const std::vector<Row>& rows) {
   for (const Key& key : keys)
     for (const Reference reference : {Reference::theory, Reference::limit}) {
       std::vector<const Row*> rungs = ladders[key];
-      std::erase_if(rungs, [&](const Row* row) { return !row->value || !row->spacing_mm || !error_of(*row, reference); });
+      std::erase_if(rungs, [&](const Row* row) { return !row->value || !row->spacing_mm || !error_of(*row, reference) || row->settled == false; });
       std::stable_sort(rungs.begin(), rungs.end(), [](const Row* a, const Row* b) { return *a->spacing_mm > *b->spacing_mm; });
       const bool rises = std::adjacent_find(rungs.begin(), rungs.end(),
                                             [](const Row* a, const Row* b) { return *a->spacing_mm == *b->spacing_mm; }) == rungs.end();

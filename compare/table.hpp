@@ -26,6 +26,7 @@ struct Row {
   std::string scene;    ///< not written
   std::optional<double> units;                ///< particles or elements; not written
   std::optional<double> limit_known_percent;  ///< how well an extrapolated limit is known; not written
+  std::string limit_doubt;                    ///< why there is no limit to compare with, although the study asks for one; in table.md
 };
 
 /// What one ladder (study, method, quantity) shows against one reference.
@@ -40,10 +41,11 @@ struct Order {
 
 /// What a row is measured against; `value` is the row as it stands.
 enum class Reference { theory, limit, value };
-/// The error of a row against a reference, percent.
+/// The error of a row against a reference, percent; nothing where it is not a finite number.
 std::optional<double> error_of(const Row& row, Reference reference);
 
-/// The ladders among the rows, in their order; those with fewer than two spacings are left out.
+/// The ladders among the rows, in their order; rows that did not settle and ladders with fewer than two spacings are left out. A limit is
+/// extrapolated where the finest three show an order of convergence (ladder.hpp).
 std::vector<Order> orders_of(const std::vector<Row>& rows);
 
 /// RFC 4180, with a header line. A number has ten significant digits; an unknown cell is empty.

@@ -40,10 +40,12 @@ std::string broken(const Bound& bound, const Row& row) {
   drift("momentum drift", row.momentum_drift, bound.momentum_drift);
   drift("angular momentum drift", row.angular_momentum_drift, bound.angular_momentum_drift);
   drift("hourglass share", row.hourglass_share, bound.hourglass_share);
+  if (bound.error_percent && !row.error_percent) add(fmt::format("the error of {} is not known", row.quantity));
   if (bound.error_percent && row.error_percent && !(std::abs(*row.error_percent) <= *bound.error_percent))
     add(fmt::format("{} is off by {:+.3g} %, more than {:g} %", row.quantity, *row.error_percent, *bound.error_percent));
-  if (bound.low && !(row.value && *row.value >= *bound.low)) add(fmt::format("{} is below {:g} {}", row.quantity, *bound.low, row.unit));
-  if (bound.high && !(row.value && *row.value <= *bound.high)) add(fmt::format("{} is above {:g} {}", row.quantity, *bound.high, row.unit));
+  if ((bound.low || bound.high) && !row.value) add(fmt::format("{} is not known", row.quantity));
+  if (bound.low && row.value && !(*row.value >= *bound.low)) add(fmt::format("{} is below {:g} {}", row.quantity, *bound.low, row.unit));
+  if (bound.high && row.value && !(*row.value <= *bound.high)) add(fmt::format("{} is above {:g} {}", row.quantity, *bound.high, row.unit));
   if (row.settled == false) add("not settled within the duration");
   return text;
 }

@@ -29,7 +29,7 @@ std::unique_ptr<Discretization> discretize(const Scene& scene, std::size_t body,
 /// Only `full`, small strain.
 std::unique_ptr<Discretization> discretize_oracle(const Scene& scene, std::size_t body, const Options& options);
 
-/// Converged static solution of a linear elastic scene with one body: polynomial degree `degree` on `divisions` cells, solved directly.
+/// Converged static solution of a linear elastic scene with one body of straight sides, in small motion and with supports at rest: polynomial degree `degree` on `divisions` cells, solved directly.
 /// Returns the value of each probe (component-wise, 3 for displacement, 6 for stress and strain) by its name.
 struct StaticLimit {
   std::map<std::string, std::vector<double>> probes;

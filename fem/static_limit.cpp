@@ -1,6 +1,7 @@
 // Static linear elasticity with elements of high degree: the number that the cantilevers of both solvers converge to.
 
 #include <deal.II/base/quadrature_lib.h>
+#include <deal.II/base/symmetric_tensor.h>
 #include <deal.II/dofs/dof_handler.h>
 #include <deal.II/dofs/dof_tools.h>
 #include <deal.II/fe/fe_q.h>
@@ -25,6 +26,7 @@
 
 #include "fem/fem.hpp"
 #include "fem/mesh.hpp"
+#include "model/scene/structured_shapes.hpp"
 
 namespace femsph::fem {
 
@@ -267,6 +269,13 @@ class StaticSolver {
     }
     if (quantity == Quantity::equivalent_stress) return {von_mises({s[0], s[1], s[2], s[3], s[4], s[5]})};
     if (quantity == Quantity::plastic_strain) return {0};
+    if (quantity == Quantity::principal_stress) {
+      dealii::SymmetricTensor<2, 3> stress;
+      for (int i = 0; i < 3; ++i)
+        for (int j = i; j < 3; ++j) stress[i][j] = s[symmetric_index<3>(i, j)];
+      const auto sorted = dealii::eigenvalues(stress);  // the largest first
+      return {sorted[0], sorted[1], sorted[2]};
+    }
     return quantity == Quantity::stress ? s : e;
   }
 
@@ -307,6 +316,12 @@ StaticLimit static_limit(const Scene& scene, const std::array<int, 3>& divisions
     throw std::runtime_error("the static limit wants one body, and the scene has " + std::to_string(scene.bodies.size()));
   if (!scene.bars.empty() || std::any_of(scene.supports.begin(), scene.supports.end(), [](const Support& s) { return s.mean; }))
     throw std::runtime_error("the static limit knows neither bars nor supports with mode = \"mean\"");
+  if (std::any_of(scene.supports.begin(), scene.supports.end(), [](const Support& s) { return s.velocity != Point{}; }))
+    throw std::runtime_error("the static limit is of supports at rest, and one of this scene moves");
+  if (scene.large_motion) throw std::runtime_error("the static limit is of small motion, and this scene asks for motion = \"large\"");
+  const Shape* shape = scene.bodies[0].shape.get();
+  if (dynamic_cast<const Ball*>(shape) || dynamic_cast<const Round*>(shape) || dynamic_cast<const OwnBall*>(shape))
+    throw std::runtime_error("the static limit's cells have straight sides, and this body is round");
   if (degree < 1) throw std::runtime_error("the static limit wants a polynomial degree of at least 1");
   return scene.dim() == 2 ? StaticSolver<2>(scene, divisions, degree).solve() : StaticSolver<3>(scene, divisions, degree).solve();
 }

@@ -1,6 +1,7 @@
 #include "model/scene/reader.hpp"
 
 #include "model/scene/scene_reader.hpp"
+#include "model/scene/singular.hpp"
 
 namespace femsph {
 namespace scene_reader {
@@ -58,6 +59,7 @@ Scene parse_scene(const std::string& text, const std::string& file) {
   read_settling(root, reading);  // last: it asks whether anything moves
   root.done();
   faults.raise(file);
+  for (std::string& text : singular_warnings(scene)) scene.warnings.push_back(std::move(text));
   return scene;
 }
 

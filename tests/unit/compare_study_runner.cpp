@@ -100,7 +100,7 @@ class StudyRunner : public ::testing::Test {
       return result(static_tip * (1 + resolution.spacing), 0.9 * 135e6, resolution.spacing);
     };
     engine.limit = [](const Scene&, const std::array<int, 3>& divisions, int degree) {
-      EXPECT_EQ(divisions[0], 40);
+      EXPECT_TRUE(divisions[0] == 40 || divisions[0] == 20 || divisions[0] == 10) << "the limit, and what tells that it is one";
       EXPECT_EQ(degree, 4);
       fem::StaticLimit limit;
       limit.probes["tip"] = {0, 1.01 * static_tip, 0};
