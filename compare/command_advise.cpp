@@ -86,7 +86,7 @@ std::string largest_component(const Scene& scene, const Probe& probe, const std:
       } catch (const std::exception& e) {
         why = e.what();
       }
-  throw std::runtime_error(fmt::format("no method can make even a coarse run: {}", why));
+  throw Refusal(fmt::format("no method can make even a coarse run: {}", why));
 }
 
 }  // namespace

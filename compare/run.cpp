@@ -19,7 +19,7 @@ std::array<int, 3> divisions_of(const Shape& shape, const Resolution& resolution
   for (int a = 0; a < shape.dim(); ++a) {
     const double length = shape.upper()[a] - shape.lower()[a];
     const double n = resolution.divisions[a] > 0 ? resolution.divisions[a] : std::round(length / resolution.spacing);
-    if (!(n >= 1)) throw std::runtime_error(fmt::format("a spacing of {:g} mm does not fit a body {:g} mm long along {}", resolution.spacing * 1e3, length * 1e3, "xyz"[a]));
+    if (!(n >= 1)) throw Refusal(fmt::format("a spacing of {:g} mm does not fit a body {:g} mm long along {}", resolution.spacing * 1e3, length * 1e3, "xyz"[a]));
     cells[a] = int(std::min(n, 1e9));
   }
   return cells;
