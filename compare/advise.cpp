@@ -21,7 +21,7 @@ double shortest_side(const Scene& scene) {
     if (body.rigid) continue;
     for (int a = 0; a < scene.dim(); ++a) shortest = std::min(shortest, body.shape->upper()[a] - body.shape->lower()[a]);
   }
-  if (!std::isfinite(shortest) || !(shortest > 0)) throw std::runtime_error("no body deforms: there is nothing to discretize");
+  if (!std::isfinite(shortest) || !(shortest > 0)) throw Refusal("no body deforms: there is nothing to discretize");
   return shortest;
 }
 

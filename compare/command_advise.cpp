@@ -86,7 +86,7 @@ std::string largest_component(const Scene& scene, const Probe& probe, const std:
       } catch (const std::exception& e) {
         why = e.what();
       }
-  throw std::runtime_error(fmt::format("no method can make even a coarse run: {}", why));
+  throw Refusal(fmt::format("no method can make even a coarse run: {}", why));
 }
 
 }  // namespace
@@ -97,14 +97,16 @@ Question question_of(const AdviseCommand& c, const Scene& scene) {
   if (!c.error.empty()) q.error = percent_of(c.error);
   if (!c.within.empty()) q.within = seconds_of("--within", c.within);
   q.budget = seconds_of("--budget", c.budget);
-  if (!(c.safety > 0)) throw BadCommand("--safety: expected a number above 0: the step over the critical step");
-  q.safety = c.safety;
+  q.safety = checked_safety(c.safety);
   try {
     for (const std::string& name : c.methods) q.methods.push_back(method_named(name));
     if (c.methods.empty()) q.methods = usual_methods();
   } catch (const std::runtime_error& e) {
     throw BadCommand(std::string("--methods: ") + e.what());
   }
+  for (std::size_t i = 0; i < q.methods.size(); ++i)  // one that stands there twice would confirm itself
+    for (std::size_t j = 0; j < i; ++j)
+      if (q.methods[i].name == q.methods[j].name) throw BadCommand(fmt::format("--methods: {} is given twice", q.methods[i].name));
   const Probe& probe = probe_of(scene, c.probe);
   q.quantity.reduce = reduce_of(scene, c.reduce);
   const auto components = component_names(probe.quantity, scene.dim());

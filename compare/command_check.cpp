@@ -72,7 +72,8 @@ double seconds_per_step(const Scene& scene, const Method& method, const Resoluti
 }  // namespace
 
 int check_command(const RunCommand& command) {
-  set_threads(command.threads);
+  set_threads(checked_threads(command.threads));
+  checked_safety(command.safety);
   const Scene scene = read_scene(command.scene);
   print_scene(scene);
   fmt::print("  {:<24} {}\n", "effects on", effects_line(scene.effects()));
@@ -83,7 +84,7 @@ int check_command(const RunCommand& command) {
     return 0;
   }
   const Method method = method_of(command);
-  const Resolution resolution = resolution_of(command);
+  const Resolution resolution = resolution_of(command, scene, method);
   refuse_excess(scene, method, resolution);
   std::vector<std::unique_ptr<Discretization>> bodies;
   for (std::size_t b = 0; b < scene.bodies.size(); ++b)

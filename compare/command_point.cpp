@@ -17,7 +17,7 @@ T word(const char* option, const std::string& value, const std::vector<std::pair
     if (name == value) return meaning;
     names.push_back(name);
   }
-  throw std::runtime_error(fmt::format("{} cannot be {}; expected {}{}", option, in_quotes(value), one_of(names), did_you_mean(value, names)));
+  throw BadCommand(fmt::format("{} cannot be {}; expected {}{}", option, in_quotes(value), one_of(names), did_you_mean(value, names)));
 }
 
 const Material& material_named(const Scene& scene, const std::string& name) {
@@ -26,7 +26,7 @@ const Material& material_named(const Scene& scene, const std::string& name) {
     if (known == name) return material;
     names.push_back(known);
   }
-  throw std::runtime_error(fmt::format("--material: no material {} in {}; expected {}{}", in_quotes(name), scene.file, one_of(names), did_you_mean(name, names)));
+  throw BadCommand(fmt::format("--material: no material {} in {}; expected {}{}", in_quotes(name), scene.file, one_of(names), did_you_mean(name, names)));
 }
 
 }  // namespace
@@ -38,10 +38,10 @@ int point_command(const PointCommand& command) {
                                             : word<Plane>("--plane", command.plane, {{"stress", Plane::stress}, {"strain", Plane::strain}, {"none", Plane::none}});
   if (!command.integration.empty()) {
     const Integration integration = word("--integration", command.integration, integrations());
-    if (!material.plasticity) throw std::runtime_error(fmt::format("--integration: the material {} is elastic", in_quotes(material.name)));
+    if (!material.plasticity) throw BadCommand(fmt::format("--integration: the material {} is elastic", in_quotes(material.name)));
     material.plasticity->integration = integration;
   }
-  const auto path = read_path(read_text_file(command.path, "a path of strains"), command.path, plane);
+  const auto path = read_path(read_text_file(command.path, "a path of strains", Length::any), command.path, plane);
   const std::string answer = point_csv(material.law(plane), plane, path);
   if (command.out.empty()) fmt::print("{}", answer);
   else write_text(answer, command.out);

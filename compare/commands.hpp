@@ -64,9 +64,15 @@ class BadCommand : public std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-/// The method and resolution that a command line asks for. Throws std::runtime_error with "did you mean".
+inline constexpr int most_threads = 512, most_divisions = 1'000'000;
+
+/// The method and resolution that a command line asks for. Throw BadCommand, with "did you mean": for numbers out of their range, and for
+/// options that would do nothing.
 Method method_of(const RunCommand& command);
-Resolution resolution_of(const RunCommand& command);
+Resolution resolution_of(const RunCommand& command, const Scene& scene, const Method& method);
+/// The number, if it is in its range. Throw BadCommand.
+int checked_threads(int threads);
+double checked_safety(double safety);
 
 /// "warning: TEXT" on stderr.
 void print_warning(const std::string& text);

@@ -23,21 +23,22 @@ using namespace femsph::compare;
 enum Exit { done = 0, bad_input = 1, bad_command = 2, bad_run = 3, bad_machine = 4, stopped = 5, interrupted = 6 };
 
 const char* const exit_codes =
-    "Exit codes: 0 done; 1 bad input (scene, study, checkpoint); 2 bad command line; 3 a run that cannot begin, or no advice; 4 the machine (files, disk,\n"
-    "memory); 5 a watch stopped the run: the message says where and why; 6 interrupted (SIGINT, SIGTERM): `femsph resume` goes on.";
+    "Exit codes: 0 done; 1 bad input (scene, study, checkpoint); 2 bad command line (also a number out of its range, or an option that\n"
+    "would do nothing); 3 a run that cannot begin (the method refuses the scene, bodies overlap, nothing can move, ..), a study of which something is\n"
+    "missing, or no advice; 4 the machine (files, disk, memory); 5 a watch stopped the run: the message says where and why; 6 interrupted (SIGINT, SIGTERM): `femsph resume` goes on.";
 
 void add_method_options(CLI::App* command, RunCommand& c) {
   command->add_option("scene", c.scene, "scene file (TOML)")->required();
   command->add_option("--solver", c.solver, "sph (sph-corrected) or fem (fem-full), or a method's full name: see `femsph list`")->required();
   command->add_option("--spacing", c.spacing, "particle spacing, or edge of a cell: \"10 mm\"");
-  command->add_option("--divisions", c.divisions, "cells along each axis, in place of a spacing: 100,10")->delimiter(',')->expected(1, 3);
-  command->add_option("--smoothing", c.smoothing, "SPH: smoothing length h over the spacing d (default 1)");
+  command->add_option("--divisions", c.divisions, "cells along each axis of every body, in place of a spacing: 100,10")->delimiter(',')->expected(1, 3);
+  command->add_option("--smoothing", c.smoothing, "SPH: smoothing length h over the spacing d, 0.6 to 4 (default 1)");
   command->add_option("--kernel", c.kernel, "SPH: cubic-spline (default) or wendland-c2");
-  command->add_option("--mass", c.mass, "classic SPH: share, full or trapezoid");
+  command->add_option("--mass", c.mass, "SPH: mass of a particle: share, full or trapezoid (default: the method's)");
   command->add_option("--viscosity", c.viscosity, "classic SPH: alpha,beta,gamma of the artificial viscosity (eq. 5)")->delimiter(',')->expected(3);
-  command->add_option("--hourglass", c.hourglass, "coefficient of the hourglass control (fem-one-point, sph-corrected)");
-  command->add_option("--safety", c.safety, "step = safety x critical step")->capture_default_str();
-  command->add_option("--threads", c.threads, "threads of every loop")->capture_default_str();
+  command->add_option("--hourglass", c.hourglass, "coefficient of the hourglass control, 0 to 10 (fem-one-point, sph-corrected)");
+  command->add_option("--safety", c.safety, "step = safety x critical step; above 0, up to 1")->capture_default_str();
+  command->add_option("--threads", c.threads, "threads of every loop, up to 512")->capture_default_str();
 }
 
 void add_run_options(CLI::App* command, RunCommand& c) {
@@ -76,6 +77,16 @@ int resume_command(const ResumeCommand& resume) {
   return run_command(run);
 }
 
+/// `femsph check` without a solver only reads the scene: what belongs to a discretization would do nothing.
+void refuse_without_solver(CLI::App& check) {
+  if (check.get_option("--solver")->count() > 0) {
+    if (check.get_option("--solver")->as<std::string>().empty()) throw BadCommand("--solver is empty; expected sph, fem or a method's name");
+    return;
+  }
+  for (const CLI::Option* option : check.get_options())
+    if (option->count() > 0 && option->get_name() != "scene") throw BadCommand(fmt::format("{} does nothing without --solver", option->get_name()));
+}
+
 int run_program(int argc, char** argv) {
   CLI::App app("femsph compares SPH and explicit FEM for solid dynamics: one scene, two discretizations, one table.");
   app.set_version_flag("--version", [] { return version_text(); });
@@ -91,7 +102,7 @@ int run_program(int argc, char** argv) {
   study_app->add_option("--out", study.out, "folder for results; the study writes into its own subfolder")->capture_default_str();
   study_app->add_flag("--quick", study.quick, "the short form: coarse cases only");
   study_app->add_flag("--update-readme", study.update_readme, "write the table into the study's README.md");
-  study_app->add_option("--threads", study.threads, "threads of every loop")->capture_default_str();
+  study_app->add_option("--threads", study.threads, "threads of every loop, up to 512")->capture_default_str();
 
   RunCommand run;
   run.threads = all;
@@ -131,7 +142,7 @@ int run_program(int argc, char** argv) {
   advise_app->add_option("--reduce", advise.reduce, "final, peak or mean (default: final of a scene that settles, else peak)");
   advise_app->add_option("--methods", advise.methods, "by which methods (default: the four elements, sph-classic-share, sph-corrected)")->delimiter(',');
   advise_app->add_option("--budget", advise.budget, "CPU time for all ladders together")->capture_default_str();
-  advise_app->add_option("--safety", advise.safety, "step = safety x critical step")->capture_default_str();
+  advise_app->add_option("--safety", advise.safety, "step = safety x critical step; above 0, up to 1")->capture_default_str();
   advise_app->add_flag("--run", advise.run, "make the advised run too, and say how it went");
 
   CLI::App* list_app = app.add_subcommand("list", "list studies and methods");
@@ -148,7 +159,10 @@ int run_program(int argc, char** argv) {
   if (*study_app) return study_command(study);
   if (*run_app) return run_command(run);
   if (*resume_app) return resume_command(resume);
-  if (*check_app) return check_command(check);
+  if (*check_app) {
+    refuse_without_solver(*check_app);
+    return check_command(check);
+  }
   if (*point_app) return point_command(point);
   if (*advise_app) return advise_command(advise);
   if (*list_app) return list_command(argv[0]);

@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 namespace femsph::compare {
 namespace {
 
@@ -26,10 +28,11 @@ void set(const std::optional<T>& from, T& to) {
   if (from) to = *from;
 }
 
-std::optional<double> at_least(Fields& options, const char* key, double least, bool including) {
-  const auto value = options.number(key, Need::optional);
-  if (!value || *value > least || (including && *value == least)) return value;
-  options.fault(key, fmt::format("\"{}\" is {}; expected a number {} {}", key, *value, including ? "not below" : "above", least));
+std::optional<double> read_number(Fields& options, const std::string& key) {
+  const auto value = options.number(key.c_str(), Need::optional);
+  const OptionRange& range = option_range(key);
+  if (!value || range.holds(*value)) return value;
+  options.fault(key.c_str(), fmt::format("\"{}\" is {:g}; expected {}", key, *value, range.describe()));
   return {};
 }
 
@@ -71,23 +74,54 @@ std::string Overrides::describe() const {
   return text;
 }
 
+std::string OptionRange::describe() const {
+  return open ? fmt::format("a number above {:g}, up to {:g}", least, most) : fmt::format("a number from {:g} to {:g}", least, most);
+}
+
+const OptionRange& option_range(const std::string& name) {
+  static const std::vector<OptionRange> all = {{"smoothing", 0.6, 4, false}, {"alpha", 0, 100, false},     {"beta", 0, 100, false},     {"gamma", 0, 100, true},
+                                               {"hourglass", 0, 10, false},  {"jitter", 0, 0.5, false}, {"distortion", 0, 0.5, false}};
+  return *std::find_if(all.begin(), all.end(), [&](const OptionRange& range) { return range.name == name; });
+}
+
+std::string why_idle(const Method& method, const std::string& option) {
+  if (const auto* fem = std::get_if<fem::Options>(&method.options)) {
+    if (option == "hourglass") return fem->element == fem::Element::one_point ? "" : "of the elements, only fem-one-point has an hourglass control";
+    return option == "distortion" ? "" : "it is an option of SPH";
+  }
+  const bool classic = std::get<sph::Options>(method.options).formulation == sph::Formulation::classic;
+  if (option == "distortion") return "it is an option of FEM";
+  if (option == "hourglass" && classic) return "classic SPH has no hourglass control";
+  const bool viscosity = option == "viscosity" || option == "alpha" || option == "beta" || option == "gamma";
+  if ((viscosity || option == "boundary") && !classic) return "it belongs to classic SPH";
+  return "";
+}
+
 Overrides read_overrides(Fields& options, const std::vector<Method>& methods) {
   bool any_fem = false, any_sph = false;
   for (const Method& method : methods) (method.is_fem() ? any_fem : any_sph) = true;
   Overrides read;
-  read.hourglass = at_least(options, "hourglass", 0, true);
-  if (!any_sph) read.distortion = at_least(options, "distortion", 0, true);
+  read.hourglass = read_number(options, "hourglass");
+  if (!any_sph) read.distortion = read_number(options, "distortion");
   if (!any_fem) {
-    read.smoothing = at_least(options, "smoothing", 0, false);
+    read.smoothing = read_number(options, "smoothing");
     read.kernel = options.choice("kernel", Need::optional, kernels);
     read.mass = options.choice("mass", Need::optional, masses);
     read.boundary = options.choice("boundary", Need::optional, boundaries);
-    read.alpha = at_least(options, "alpha", 0, true);
-    read.beta = at_least(options, "beta", 0, true);
-    read.gamma = at_least(options, "gamma", 0, false);
-    read.jitter = at_least(options, "jitter", 0, true);
+    read.alpha = read_number(options, "alpha");
+    read.beta = read_number(options, "beta");
+    read.gamma = read_number(options, "gamma");
+    read.jitter = read_number(options, "jitter");
   }
   options.done();
+  for (const std::string key : {"hourglass", "boundary", "alpha", "beta", "gamma"}) {
+    if (!options.has(key.c_str()) || (any_fem && key != "hourglass")) continue;
+    for (const Method& method : methods)
+      if (const std::string why = why_idle(method, key); !why.empty()) {
+        options.fault(key.c_str(), fmt::format("\"{}\" does nothing with {}: {}", key, method.name, why));
+        break;
+      }
+  }
   return read;
 }
 

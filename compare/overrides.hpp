@@ -17,6 +17,21 @@ struct Overrides {
   std::string describe() const;
 };
 
+/// A range of an option's numbers, for the command line and for studies alike; `open`: without its lower end.
+struct OptionRange {
+  const char* name;
+  double least, most;
+  bool open;
+  bool holds(double value) const { return (open ? value > least : value >= least) && value <= most; }
+  std::string describe() const;  ///< "a number above 0, up to 10"
+};
+/// smoothing, alpha, beta, gamma, hourglass, jitter, distortion.
+const OptionRange& option_range(const std::string& name);
+
+/// Why an option (by its name above, or viscosity, kernel, mass, boundary) does nothing with this method: "hourglass control belongs to ..";
+/// empty where it does something.
+std::string why_idle(const Method& method, const std::string& option);
+
 /// Reads the options that every one of `methods` has; faults for the others, with "did you mean".
 Overrides read_overrides(Fields& options, const std::vector<Method>& methods);
 

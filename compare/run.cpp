@@ -19,7 +19,7 @@ std::array<int, 3> divisions_of(const Shape& shape, const Resolution& resolution
   for (int a = 0; a < shape.dim(); ++a) {
     const double length = shape.upper()[a] - shape.lower()[a];
     const double n = resolution.divisions[a] > 0 ? resolution.divisions[a] : std::round(length / resolution.spacing);
-    if (!(n >= 1)) throw std::runtime_error(fmt::format("a spacing of {:g} mm does not fit a body {:g} mm long along {}", resolution.spacing * 1e3, length * 1e3, "xyz"[a]));
+    if (!(n >= 1)) throw Refusal(fmt::format("a spacing of {:g} mm does not fit a body {:g} mm long along {}", resolution.spacing * 1e3, length * 1e3, "xyz"[a]));
     cells[a] = int(std::min(n, 1e9));
   }
   return cells;
@@ -29,18 +29,29 @@ double height_spacing(const Shape& shape, const std::array<int, 3>& cells) { ret
 
 }  // namespace
 
+double spacing_of(const Shape& shape, const Resolution& resolution) {
+  if (resolution.spacing > 0) return resolution.spacing;
+  const std::array<int, 3> cells = divisions_of(shape, resolution);
+  const double spacing = height_spacing(shape, cells);
+  for (int a = 0; a < shape.dim(); ++a)
+    if (const double other = (shape.upper()[a] - shape.lower()[a]) / cells[a]; std::abs(other - spacing) > 1e-6 * spacing)
+      throw Refusal(fmt::format("SPH has one spacing, and these divisions of the {} mean {:g} mm along {} and {:g} mm along y; give a spacing", shape.describe(),
+                                1e3 * other, "xyz"[a], 1e3 * spacing));
+  return spacing;
+}
+
 std::unique_ptr<Discretization> discretize(const Scene& scene, std::size_t body, const Method& method, const Resolution& resolution) {
   const Shape& shape = *scene.bodies[body].shape;
   const bool own_cells = method.is_fem() && shape.cells();
   if (!own_cells && !(resolution.spacing > 0) && resolution.divisions[0] <= 0)
-    throw std::runtime_error("how fine? give a spacing, such as --spacing \"10 mm\"");
+    throw Refusal("how fine? give a spacing, such as --spacing \"10 mm\"");
   if (method.is_fem()) {
     fem::Options options = std::get<fem::Options>(method.options);
     if (!own_cells) options.divisions = divisions_of(shape, resolution);
     return fem::discretize(scene, body, options);
   }
   sph::Options options = std::get<sph::Options>(method.options);
-  options.spacing = resolution.spacing > 0 ? resolution.spacing : height_spacing(shape, divisions_of(shape, resolution));
+  options.spacing = spacing_of(shape, resolution);
   return sph::discretize(scene, body, options);
 }
 
@@ -120,7 +131,8 @@ RunResult run_scene(const Scene& scene, const Method& method, const Resolution& 
   say_warnings();
   Recorder recorder(march);
   std::unique_ptr<RunOutput> output;
-  if (options.folder) output = std::make_unique<RunOutput>(method, options, march, recorder);
+  if (options.folder) output = std::make_unique<RunOutput>(method, options, march, recorder, start_cpu);
+  const auto total_cpu = [&] { return cpu_seconds() - start_cpu + (output ? output->cpu_before() : 0.0); };
   std::optional<Conservation> conservation;
   if (asks_for_drift(options.scalars)) conservation.emplace(march);
   Progress progress(options.label.empty() ? method.name : options.label);
@@ -135,9 +147,9 @@ RunResult run_scene(const Scene& scene, const Method& method, const Resolution& 
   events.progress = [&](const March& m) { progress.show(m.step(), m.planned_steps(), m.time()); };
   try {
     march.run(events);
-    march.price().total_cpu = cpu_seconds() - start_cpu;
+    march.price().total_cpu = total_cpu();
   } catch (const MotionError& error) {
-    march.price().total_cpu = cpu_seconds() - start_cpu;
+    march.price().total_cpu = total_cpu();
     if (options.partial) *options.partial = result_of(march, recorder, conservation);
     const auto* stop = dynamic_cast<const Stopped*>(&error);
     if (!output) throw;

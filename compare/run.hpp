@@ -31,7 +31,8 @@ const std::vector<Method>& methods();
 /// Throws std::runtime_error with "did you mean".
 Method method_named(const std::string& name);
 
-/// How fine: a spacing (FEM: the edge of a square cell; the divisions are the sides' lengths over it, rounded), or FEM divisions.
+/// How fine: a spacing (FEM: the edge of a square cell; the divisions are the sides' lengths over it, rounded), or divisions along each axis,
+/// which for SPH must mean one spacing.
 struct Resolution {
   double spacing = 0;  ///< m
   std::array<int, 3> divisions{0, 0, 0};
@@ -44,6 +45,9 @@ struct CheckpointOptions {
   std::vector<std::string> arguments;      ///< of the command line, for resume
   std::shared_ptr<const Checkpoint> from;  ///< take this one up
 };
+
+/// The spacing of particles in a shape. Throws Refusal when divisions give several.
+double spacing_of(const Shape& shape, const Resolution& resolution);
 
 struct RunResult;
 

@@ -4,6 +4,7 @@
 
 #include <ctime>
 #include <filesystem>
+#include <fstream>
 
 namespace femsph::compare {
 
@@ -16,9 +17,34 @@ std::string utc_now() {
   return text;
 }
 
+/// What an earlier run has left in the folder, so that no results of two runs stand beside each other: names that this program gives, of which
+/// those that others may give too go only beside a record of ours. Never the scene that is being run.
+void remove_earlier_run(const std::string& folder, const std::string& scene) {
+  namespace fs = std::filesystem;
+  remove_earlier_fields(folder);
+  if (fs::is_regular_file(checkpoint_file(folder))) fs::remove(checkpoint_file(folder));
+  if (!has_record(folder)) return;
+  std::vector<fs::path> ours;
+  for (const char* name : {"/history.csv", "/history.h5", "/scene.toml", "/record.toml"}) ours.emplace_back(folder + name);
+  for (const auto& entry : fs::directory_iterator(folder))
+    if (const std::string name = entry.path().filename(); name.starts_with("section_") && name.ends_with(".csv")) ours.push_back(entry.path());
+  std::error_code none;
+  for (const fs::path& file : ours)
+    if (fs::is_regular_file(file, none) && !fs::equivalent(file, scene, none)) fs::remove(file);
+}
+
 }  // namespace
 
 std::string checkpoint_file(const std::string& folder) { return folder + "/checkpoint.h5"; }
+
+bool has_record(const std::string& folder) {
+  const std::string file = folder + "/record.toml", first = "# One run of femsph";
+  std::error_code none;
+  if (!std::filesystem::is_regular_file(file, none)) return false;
+  std::string line;
+  std::ifstream in(file);
+  return std::getline(in, line) && line.starts_with(first);
+}
 
 std::uint64_t checksum_of_meshes(const Scene& scene) {
   std::uint64_t sum = 0;
@@ -28,14 +54,15 @@ std::uint64_t checksum_of_meshes(const Scene& scene) {
   return sum;
 }
 
-RunOutput::RunOutput(const Method& method, const RunOptions& options, March& march, Recorder& recorder)
-    : options_(options), march_(march), recorder_(recorder), folder_(*options.folder), saved_at_(wall_seconds()) {
+RunOutput::RunOutput(const Method& method, const RunOptions& options, March& march, Recorder& recorder, double start_cpu)
+    : options_(options), march_(march), recorder_(recorder), folder_(*options.folder), start_cpu_(start_cpu), saved_at_(wall_seconds()) {
   const Scene& scene = march.scene();
   record_.scene_file = scene.file;
   record_.scene_text = scene.text;
   record_.method = method.name;
   record_.command = options.command;
   const std::shared_ptr<const Checkpoint> from = options.checkpoint ? options.checkpoint->from : nullptr;
+  if (!from) remove_earlier_run(folder_, scene.file);
   if (options.fields) {
     fields_ = std::make_unique<FieldWriter>(folder_, from != nullptr);
     for (const MovingBody& body : march.bodies()) ids_.push_back(fields_->add_body(body.name, *body.discretization));
@@ -44,10 +71,7 @@ RunOutput::RunOutput(const Method& method, const RunOptions& options, March& mar
   if (!options.checkpoint) return;
   origin_ = {scene.file, from ? from->origin().scene_path : std::filesystem::absolute(scene.file).string(), scene.text, options.checkpoint->arguments,
              checksum_of_meshes(scene), {}};
-  if (!from) {
-    std::filesystem::remove(checkpoint_file(folder_));  // of an earlier run
-    return;
-  }
+  if (!from) return;
   if (from->origin().meshes != origin_.meshes)
     throw InputError(from->file(), {Fault{0, 0, "a mesh file of the scene has changed since the run began; put the old one back"}});
   from->restore([&](Archive& archive) { state(archive); });
@@ -65,10 +89,24 @@ void RunOutput::state(Archive& archive) {
   archive.below("march", [&] { march_.state(archive); });
   archive.below("history", [&] { recorder_.state(archive); });
   if (fields_) archive.below("fields", [&] { fields_->state(archive); });
-  archive.below("price", [&] {
-    archive("cpu", march_.price().cpu);
-    archive("wall", march_.price().wall);
-  });
+  archive.below("price", [&] { price_state(archive); });
+}
+
+/// What the run has cost until now. Of a run taken up, the set-up counts once for each time that it was made.
+void RunOutput::price_state(Archive& archive) {
+  Price& price = march_.price();
+  archive("cpu", price.cpu);
+  archive("wall", price.wall);
+  double total = cpu_before_ + cpu_seconds() - start_cpu_;
+  archive("total_cpu", total);
+  if (archive.restoring()) cpu_before_ = total;
+  for (const char* phase : {"setup", "critical step", "step control", "contact", "watching", "sampling", "fields", "checkpoints"}) {
+    double seconds = 0;
+    for (const auto& [name, spent] : price.phases)
+      if (name == phase) seconds = spent;
+    archive(phase, seconds);
+    if (archive.restoring() && seconds > 0) price.add(phase, seconds);
+  }
 }
 
 void RunOutput::save() {

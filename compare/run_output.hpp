@@ -15,13 +15,19 @@ namespace femsph::compare {
 
 /// DIR/checkpoint.h5
 std::string checkpoint_file(const std::string& folder);
+/// DIR/record.toml is there, and a run has written it.
+bool has_record(const std::string& folder);
 /// Of the cells that the scene's bodies bring along.
 std::uint64_t checksum_of_meshes(const Scene& scene);
 
 class RunOutput {
  public:
   /// Takes up options.checkpoint->from, if there is one: then march and recorder are where it left them. All but `options` must outlive this.
-  RunOutput(const Method& method, const RunOptions& options, March& march, Recorder& recorder);
+  /// Of a new run, removes what an earlier one has left in the folder. `start_cpu`: the process's clock when the run began.
+  RunOutput(const Method& method, const RunOptions& options, March& march, Recorder& recorder, double start_cpu);
+
+  /// CPU seconds that the run had cost, set-up included, before it was taken up.
+  double cpu_before() const { return cpu_before_; }
 
   void snapshot();
   /// Between two steps: writes a checkpoint when one is due. Throws Interrupted after that of an interruption.
@@ -35,6 +41,7 @@ class RunOutput {
 
  private:
   void save();
+  void price_state(Archive& archive);
   void state(Archive& archive);
 
   const RunOptions options_;
@@ -46,6 +53,7 @@ class RunOutput {
   std::unique_ptr<FieldWriter> fields_;
   std::vector<std::size_t> ids_;
   Interruption interruption_;
+  double start_cpu_, cpu_before_ = 0;  ///< s
   double saved_at_;             ///< wall seconds
   std::string saved_progress_;  ///< of the last whole checkpoint; empty: none
 };

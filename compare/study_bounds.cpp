@@ -55,6 +55,7 @@ void one_bound(Fields& fields, StudyReading& reading) {
   bound.error_percent = not_negative(fields, "error_percent");
   bound.low = fields.number("low", Need::optional);
   bound.high = fields.number("high", Need::optional);
+  if (bound.low && bound.high && *bound.low > *bound.high) fields.fault("low", "\"low\" lies above \"high\", so that nothing can be between; expected it below");
   fields.done();
   if (bound.quantity.empty() || std::find(known.begin(), known.end(), bound.quantity) != known.end()) check_bound(fields, bound, study);
   reading.study.bounds.push_back(bound);

@@ -108,6 +108,7 @@ void read_kind(Fields& fields, Claim& claim, const std::vector<Row>& planned) {
     case Kind::order:
       claim.low = fields.number("low", Need::required).value_or(0);
       claim.high = fields.number("high", Need::required).value_or(0);
+      if (claim.low > claim.high) fields.fault("low", "\"low\" lies above \"high\", so that nothing can be between; expected it below");
       break;
     case Kind::larger:
     case Kind::smaller:

@@ -7,6 +7,7 @@
 #include <filesystem>
 #include <stdexcept>
 
+#include "compare/commands.hpp"
 #include "compare/figures.hpp"
 #include "compare/price_tables.hpp"
 #include "compare/readme.hpp"
@@ -44,8 +45,8 @@ std::string study_file(const StudyCommand& command) {
   const std::string folder = studies_folder(command.program);
   const auto names = studies_in(folder);
   if (std::find(names.begin(), names.end(), command.name) == names.end())
-    throw std::runtime_error(fmt::format("no study is called {}; expected a folder or one of {} in {}{}", in_quotes(command.name),
-                                         one_of(names), folder, did_you_mean(command.name, names)));
+    throw BadCommand(fmt::format("no study is called {}; expected a folder or one of {} in {}{}", in_quotes(command.name),
+                                 one_of(names), folder, did_you_mean(command.name, names)));
   return (fs::path(folder) / command.name / "study.toml").string();
 }
 
@@ -140,7 +141,7 @@ int complain_of_failed(const Study& study, const std::vector<Row>& rows) {
 void update_readme(const Study& study, const std::string& table) {
   const std::string file = (fs::path(study.folder) / "README.md").string();
   try {
-    write_text(with_table(read_text_file(file, "the study's README.md"), table), file);
+    write_text(with_table(read_text_file(file, "the study's README.md", Length::any), table), file);
   } catch (const InputError&) {
     throw;
   } catch (const std::runtime_error& e) {
@@ -183,23 +184,23 @@ std::string studies_folder(const std::string& program) {
   std::error_code ignored;
   if (const char* given = std::getenv("FEMSPH_STUDIES"); given && *given) {
     if (fs::is_directory(given, ignored)) return given;
-    throw std::runtime_error(fmt::format("FEMSPH_STUDIES is {}, which is no folder", in_quotes(given)));
+    throw BadCommand(fmt::format("FEMSPH_STUDIES is {}, which is no folder", in_quotes(given)));
   }
   if (fs::is_directory("studies", ignored)) return "studies";
   fs::path beside = fs::read_symlink("/proc/self/exe", ignored);
   if (beside.empty()) beside = program;
   beside = (beside.parent_path() / ".." / ".." / "studies").lexically_normal();
   if (fs::is_directory(beside, ignored)) return beside.string();
-  throw std::runtime_error("no folder of studies; expected ./studies, or its path in the environment variable FEMSPH_STUDIES");
+  throw BadCommand("no folder of studies; expected ./studies, or its path in the environment variable FEMSPH_STUDIES");
 }
 
 int study_command(const StudyCommand& command) { return study_command(command, {run_scene, fem::static_limit}); }
 
 int study_command(const StudyCommand& command, const Engine& engine) {
+  set_threads(checked_threads(command.threads));
   const Study study = read_study(study_file(command));
   if (command.update_readme && command.quick)
-    throw std::runtime_error("--update-readme with --quick; expected the full study, whose numbers a README states");
-  set_threads(command.threads);
+    throw BadCommand("--update-readme with --quick; expected the full study, whose numbers a README states");
   std::vector<Row> rows;
   const double cpu = cpu_seconds(), wall = wall_seconds();
   const int failures = run_one(study, command, engine, rows);

@@ -68,8 +68,8 @@ std::vector<std::string> read_cases(Fields& fields, const std::vector<Resolution
 std::vector<std::optional<double>> read_supports(Fields& fields, const std::vector<Method>& chosen, const Overrides& overrides) {
   const auto given = fields.numbers("supports", Need::optional);
   if (!given) return {std::nullopt};
-  if (given->empty() || std::any_of(given->begin(), given->end(), [](double h) { return h <= 0; }))
-    fields.fault("supports", "\"supports\" holds no number above 0; expected smoothing lengths over the spacing, such as [1.0, 1.2, 1.4]");
+  if (given->empty() || std::any_of(given->begin(), given->end(), [](double h) { return !option_range("smoothing").holds(h); }))
+    fields.fault("supports", fmt::format("\"supports\" holds something else than {}; expected smoothing lengths over the spacing, such as [1.0, 1.2, 1.4]", option_range("smoothing").describe()));
   if (overrides.smoothing || fields.has("label"))
     fields.fault("supports", "\"supports\" beside a smoothing or a label; expected one of them");
   for (const Method& method : chosen)
@@ -81,6 +81,14 @@ std::string support_label(const std::optional<double>& support) {
   return support ? fmt::format(" h={:g}d", *support) : "";
 }
 
+/// Elements of bodies that bring their own cells have one resolution, whatever the spacing: several would be rows of one and the same run.
+void refuse_same_cells(Fields& fields, const Scene* scene, const std::vector<Method>& chosen, std::size_t resolutions) {
+  if (!scene || resolutions < 2 || !std::all_of(scene->bodies.begin(), scene->bodies.end(), [](const Body& b) { return b.rigid || (b.shape && b.shape->cells()); })) return;
+  for (const Method& method : chosen)
+    if (method.is_fem())
+      fields.fault(fields.has("spacing") ? "spacing" : "divisions", fmt::format("{} resolutions for {}, but every body brings its own cells; expected one", resolutions, method.name));
+}
+
 void one_block(Fields& fields, StudyReading& reading, int ladder) {
   const std::string file = fields.text("scene", Need::optional, "the file of a scene").value_or(reading.default_scene);
   const Scene* scene = scene_of(fields, "scene", file, reading);
@@ -90,9 +98,11 @@ void one_block(Fields& fields, StudyReading& reading, int ladder) {
   const auto quick = read_names(fields, "quick", cases, "case");
   const auto step = fields.quantity("step", Need::optional, dimension::time, Sign::positive);
   const auto label = fields.text("label", Need::optional, "a name for the method in tables");
-  const auto safety = fields.number("safety", Need::optional, "a number above 0: the step over the critical step");
-  if (safety && *safety <= 0)
-    fields.fault("safety", "\"safety\" is not positive; expected a number above 0: the step over the critical step");
+  const std::string safety_expected = "a number above 0, up to 2: the step over the critical step";  // beyond 1: to see what then happens
+  const auto safety = fields.number("safety", Need::optional, safety_expected);
+  if (safety && !(*safety > 0 && *safety <= 2)) fields.fault("safety", fmt::format("\"safety\" is {:g}; expected {}", *safety, safety_expected));
+  if (safety && step) fields.fault("safety", "\"safety\" beside \"step\"; expected one of them");
+  refuse_same_cells(fields, scene, chosen, resolutions.size());
   if (label && chosen.size() > 1) fields.fault("label", "\"label\" with several methods; expected it with one");
   Overrides overrides;
   if (auto options = fields.table("options", Need::optional, "a table such as {smoothing = 1.2}"))

@@ -222,7 +222,7 @@ std::unique_ptr<CellLoop> choose_loop(const LoopInput& in) {
         };
         const bool plane = in.mesh->dim == 2;
         if (in.large_motion) return plane ? with.template operator()<LargeMotion<LawType>, 2>() : with.template operator()<LargeMotion<LawType>, 3>();
-        if constexpr (LargeMotionOnly<LawType>) throw std::runtime_error("this material needs motion = \"large\"");
+        if constexpr (LargeMotionOnly<LawType>) throw Refusal("this material needs motion = \"large\"");
         else return plane ? with.template operator()<SmallStrain, 2>() : with.template operator()<SmallStrain, 3>();
       },
       in.law);

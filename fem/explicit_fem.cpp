@@ -30,13 +30,13 @@ const char* name_of(Element element) {
 
 Mesh checked_mesh(const Scene& scene, const Shape& shape, const Options& options) {
   if (shape.dim() != scene.dim())
-    throw std::runtime_error("the scene is " + std::to_string(scene.dim()) + "D but its body is " + shape.describe());
+    throw Refusal("the scene is " + std::to_string(scene.dim()) + "D but its body is " + shape.describe());
   Mesh mesh = make_mesh(shape, options.divisions, options.distortion);
   for (std::size_t c = 0; c < mesh.cell_count(); ++c)
     for (int q = 0; q < mesh.corners(); ++q)
       if (!(jacobian(mesh, c, q) > 0)) {
         const Point p = map_point(mesh, c, {});
-        throw std::runtime_error("a cell at (" + std::to_string(p[0]) + ", " + std::to_string(p[1]) + ", " + std::to_string(p[2]) +
+        throw Refusal("a cell at (" + std::to_string(p[0]) + ", " + std::to_string(p[1]) + ", " + std::to_string(p[2]) +
                                  ") m is folded: its volume is not positive everywhere");
       }
   return mesh;

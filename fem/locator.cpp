@@ -5,6 +5,7 @@
 #include <stdexcept>
 
 #include "fem/geometry.hpp"
+#include "model/scene/faults.hpp"
 
 namespace femsph::fem {
 
@@ -128,7 +129,7 @@ std::vector<Locator::Found> Locator::find_all(const Point& p) const {
   }
   if (found.empty() && slack_ > 0) found = nearest(p);
   if (found.empty())
-    throw std::runtime_error("the point (" + std::to_string(p[0]) + ", " + std::to_string(p[1]) + ", " + std::to_string(p[2]) +
+    throw Refusal("the point (" + std::to_string(p[0]) + ", " + std::to_string(p[1]) + ", " + std::to_string(p[2]) +
                              ") m lies in no cell of the mesh");
   return found;
 }

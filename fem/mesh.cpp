@@ -30,7 +30,7 @@ void triangulate_box(const Shape& shape, const std::array<int, 3>& divisions, de
   std::vector<unsigned int> n(dim);
   for (int d = 0; d < dim; ++d) {
     if (divisions[d] < 1)
-      throw std::runtime_error("a box needs at least one cell along each axis, but divisions[" + std::to_string(d) + "] is " +
+      throw Refusal("a box needs at least one cell along each axis, but divisions[" + std::to_string(d) + "] is " +
                                std::to_string(divisions[d]));
     n[d] = static_cast<unsigned int>(divisions[d]);
   }
@@ -138,7 +138,7 @@ void make_triangulation(const Shape& shape, const std::array<int, 3>& divisions,
   else if (const auto* disc = dynamic_cast<const Ball*>(&shape); disc && dim == 2)
     triangulate_cells<dim>(Round(2, {disc->centre(), 0, disc->radius()}).mesh(divisions), triangulation);
   else
-    throw std::runtime_error("FEM has no mesh for a " + shape.describe() + "; give it as a body that comes with its own cells (shape = \"mesh\")");
+    throw Refusal("FEM has no mesh for a " + shape.describe() + "; give it as a body that comes with its own cells (shape = \"mesh\")");
   if (distortion > 0) dealii::GridTools::distort_random(distortion, triangulation, true, 12345u);
 }
 

@@ -9,21 +9,21 @@ namespace femsph::sph {
 
 std::unique_ptr<Discretization> discretize(const Scene& scene, std::size_t body, const Options& options) {
   const Shape& shape = *scene.bodies[body].shape;
-  if (!(options.spacing > 0)) throw std::runtime_error("SPH needs a spacing, such as --spacing \"5 mm\"");
-  if (!(options.smoothing >= 0.6 && options.smoothing <= 4)) throw std::runtime_error("the smoothing length h / d must lie between 0.6 and 4");
+  if (!(options.spacing > 0)) throw Refusal("SPH needs a spacing, such as --spacing \"5 mm\"");
+  if (!(options.smoothing >= 0.6 && options.smoothing <= 4)) throw Refusal("the smoothing length h / d must lie between 0.6 and 4");
   const bool classic = options.formulation == Formulation::classic;
   if (!classic && (options.boundary != Boundary::none || options.viscosity.on()))
-    throw std::runtime_error("corrected SPH takes neither virtual particles, nor boundary weights, nor artificial viscosity: they belong to the classic formulation");
+    throw Refusal("corrected SPH takes neither virtual particles, nor boundary weights, nor artificial viscosity: they belong to the classic formulation");
   if (options.boundary == Boundary::virtual_particles && (!dynamic_cast<const Box*>(&shape) || options.jitter > 0))
-    throw std::runtime_error("virtual particles mirror a lattice in the straight sides of a box; this body is none");
+    throw Refusal("virtual particles mirror a lattice in the straight sides of a box; this body is none");
   if (classic && scene.large_motion && options.boundary != Boundary::none)
-    throw std::runtime_error("virtual particles and boundary weights stand on initial neighbours; a scene with large motion cannot use them");
+    throw Refusal("virtual particles and boundary weights stand on initial neighbours; a scene with large motion cannot use them");
   const std::vector<MirrorPlane> planes = mirror_planes(scene, body);
   if (options.boundary == Boundary::virtual_particles && !planes.empty())
-    throw std::runtime_error("virtual particles mirror every side of a box; a body with symmetry planes cannot use them");
+    throw Refusal("virtual particles mirror every side of a box; a body with symmetry planes cannot use them");
   const bool has_bars = std::any_of(scene.bars.begin(), scene.bars.end(), [&](const Bar& bar) { return bar.body == body; });
   if (classic && scene.large_motion && (has_bars || !planes.empty()))
-    throw std::runtime_error("symmetry planes and bars stand on initial neighbours; classic SPH with large motion cannot use them");
+    throw Refusal("symmetry planes and bars stand on initial neighbours; classic SPH with large motion cannot use them");
   Particles particles = is_fitted(shape, options) ? fill_fitted(shape, options, planes) : fill(shape, options, planes);
   const Kernel kernel(options.kernel, shape.dim(), options.smoothing * particles.spacing);
   add_mirrored(particles, planes, kernel.radius());

@@ -53,11 +53,11 @@ Particles fill_fitted(const Shape& shape, const Options& options, const std::vec
   for (int a = 0; a < shape.dim(); ++a) {
     const double cells = std::round((upper[a] - lower[a]) / options.spacing);
     if (!(cells >= 1) || cells > 1e9)
-      throw std::runtime_error(fmt::format("a spacing of {:g} mm does not fit a body {:g} mm long along {}", options.spacing * 1e3, (upper[a] - lower[a]) * 1e3, "xyz"[a]));
+      throw Refusal(fmt::format("a spacing of {:g} mm does not fit a body {:g} mm long along {}", options.spacing * 1e3, (upper[a] - lower[a]) * 1e3, "xyz"[a]));
     divisions[a] = int(cells);
   }
   if (const auto* ball = dynamic_cast<const OwnBall*>(&shape); ball && ball->size().finer > 1)
-    throw std::runtime_error(fmt::format("SPH has one smoothing length, but the {} has cells of many sizes; leave \"finer\" out", ball->describe()));
+    throw Refusal(fmt::format("SPH has one smoothing length, but the {} has cells of many sizes; leave \"finer\" out", ball->describe()));
   const CellMesh mesh = dynamic_cast<const StructuredShape&>(shape).mesh(divisions);
   Particles p;
   p.dim = shape.dim();

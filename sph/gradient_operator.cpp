@@ -31,7 +31,7 @@ Tensor<double, 3> correction_of(const Particles& particles, std::size_t particle
     }
   const double det = m[0][0] * cofactor[0][0] + m[0][1] * cofactor[0][1] + m[0][2] * cofactor[0][2];
   if (!(det > 1e-6))
-    throw std::runtime_error(fmt::format("particle {} at ({:g}, {:g}, {:g}) m has too few neighbours for a corrected gradient; take a finer spacing or a larger "
+    throw Refusal(fmt::format("particle {} at ({:g}, {:g}, {:g}) m has too few neighbours for a corrected gradient; take a finer spacing or a larger "
                                          "smoothing length", particle, x[0], x[1], x[2]));
   Tensor<double, 3> B;
   for (int a = 0; a < 3; ++a)

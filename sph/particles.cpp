@@ -91,7 +91,7 @@ Particles fill(const Shape& shape, const Options& options, const std::vector<Mir
     const double length = upper[a] - lattice.origin[a];
     const double cells = std::round(length / options.spacing);
     if (!(cells >= 1))
-      throw std::runtime_error(fmt::format("a spacing of {:g} mm does not fit a body {:g} mm long along {}; the spacing must be at most that length",
+      throw Refusal(fmt::format("a spacing of {:g} mm does not fit a body {:g} mm long along {}; the spacing must be at most that length",
                                            options.spacing * 1e3, length * 1e3, "xyz"[a]));
     places *= cells + 1;
     if (places > 5e8)
@@ -113,7 +113,7 @@ Particles fill(const Shape& shape, const Options& options, const std::vector<Mir
         lattice.place.push_back({i, j, k});
         p.position.push_back(x);
       }
-  if (p.position.empty()) throw std::runtime_error(fmt::format("no particle of spacing {:g} mm lies in the body; take a finer spacing", options.spacing * 1e3));
+  if (p.position.empty()) throw Refusal(fmt::format("no particle of spacing {:g} mm lies in the body; take a finer spacing", options.spacing * 1e3));
   give_volumes(p, shape, options.mass, planes);
   if (options.jitter > 0) {
     p.regular = false;
@@ -144,7 +144,7 @@ void add_mirrored(Particles& p, const std::vector<MirrorPlane>& planes, double r
   for (const MirrorPlane& m : planes) {
     for (const MirrorPlane& other : planes)
       if (other.axis == m.axis && other.upper != m.upper && std::abs(other.at - m.at) < radius)
-        throw std::runtime_error(fmt::format("the symmetry planes across {} are {:g} mm apart, nearer than the kernel's radius of {:g} mm; take a finer spacing",
+        throw Refusal(fmt::format("the symmetry planes across {} are {:g} mm apart, nearer than the kernel's radius of {:g} mm; take a finer spacing",
                                              "xyz"[m.axis], std::abs(other.at - m.at) * 1e3, radius * 1e3));
     const int side = m.upper ? count[m.axis] - 1 : 0;
     const std::size_t known = p.position.size(), own = p.size();

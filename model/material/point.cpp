@@ -89,7 +89,8 @@ std::vector<int> path_components(Plane plane) { return plane == Plane::none ? st
 std::vector<std::array<double, 6>> read_path(const std::string& text, const std::string& file, Plane plane) {
   std::vector<std::array<double, 6>> path;
   std::vector<int> columns;
-  std::stringstream in(text);
+  if (text.starts_with("\xff\xfe") || text.starts_with("\xfe\xff")) refuse(file, 1, 1, "is UTF-16; expected plain text or UTF-8, as \"CSV UTF-8\" is saved");
+  std::stringstream in(text.starts_with("\xef\xbb\xbf") ? text.substr(3) : text);  // less the mark that spreadsheets put first
   std::string line;
   for (int number = 1; std::getline(in, line); ++number) {
     const std::vector<std::string> cells = cells_of(line);
@@ -102,8 +103,9 @@ std::vector<std::array<double, 6>> read_path(const std::string& text, const std:
     std::array<double, 6> strain{};
     for (std::size_t k = 0; k < cells.size(); ++k) {
       double value = 0;
-      const char* end = cells[k].data() + cells[k].size();
-      const auto [stop, error] = std::from_chars(cells[k].data(), end, value);
+      const char *begin = cells[k].data(), *end = begin + cells[k].size();
+      if (end - begin > 1 && begin[0] == '+' && begin[1] != '-') ++begin;  // from_chars takes no plus sign
+      const auto [stop, error] = std::from_chars(begin, end, value);
       if (error != std::errc() || stop != end || !std::isfinite(value))
         refuse(file, number, int(k) + 1, fmt::format("value {} is {}; expected a number (a strain, such as 1e-3)", k + 1, in_quotes(cells[k])));
       strain[std::size_t(columns[k])] = value;

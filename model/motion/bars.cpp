@@ -11,7 +11,7 @@ namespace femsph {
 namespace {
 
 [[noreturn]] void refuse(const Bar& bar) {
-  throw std::runtime_error(fmt::format("bar {} finds no rows of points along it: bars need a regular grid of particles or elements along their axis", bar.name));
+  throw Refusal(fmt::format("bar {} finds no rows of points along it: bars need a regular grid of particles or elements along their axis", bar.name));
 }
 
 /// A coordinate across the bar, and the share of its area that goes there.

@@ -7,6 +7,7 @@
 
 #include "model/motion/contact.hpp"
 #include "model/motion/march.hpp"
+#include "model/motion/overlap.hpp"
 #include "model/motion/vectors.hpp"
 #include "model/scene/box_grid.hpp"
 
@@ -139,15 +140,23 @@ void ContactPair::mark_active() {
   }
 }
 
-/// Facets tell of an overlap only near them; the shapes tell of any.
+/// Facets tell of an overlap only near them; this finds any.
 void ContactPair::refuse_overlap(Bodies bodies) const {
-  for (const Pass& pass : passes_) {
-    const Surface& own = sides_[pass.from].surface[0];
-    const Party& other = sides_[1 - pass.from].party;
-    const Shape& shape = other.rigid ? *bodies.rigid[other.index].shape : *scene_.bodies[bodies.moving[other.index].index].shape;
-    for (const Point& p : own.now)
-      if (!shape.cells() && shape.contains(p, -1e-6 * spacing_)) fail("the bodies overlap at the start; expected them apart or touching", p);
-  }
+  const double tolerance = 1e-6 * spacing_;
+  const int first = sides_[0].party.rigid ? 1 : 0;  // one that deforms
+  const Surface& surface = sides_[first].surface[0];
+  const Side& other = sides_[1 - first];
+  const auto found = other.party.rigid ? overlap_of(surface, *bodies.rigid[other.party.index].shape, tolerance) : overlap_of(surface, other.surface[0], tolerance);
+  if (!found) return;
+  const auto is_round = [&](std::size_t body) {
+    const Shape& shape = *scene_.bodies[body].shape;
+    return !shape.cells() && !dynamic_cast<const Box*>(&shape);
+  };
+  std::string what = found->depth > 0 ? fmt::format("the bodies overlap by {:.4g} mm at the start", 1e3 * found->depth) : "the bodies cross each other at the start";
+  what += "; expected them apart or touching";
+  if (found->depth > 0 && found->depth < 0.05 * spacing_ && (is_round(contact_.between[0]) || is_round(contact_.between[1])))
+    what += " (round bodies are straight between their points: a finer spacing brings them nearer to their shapes)";
+  fail(what, found->at);
 }
 
 }  // namespace femsph

@@ -7,6 +7,7 @@
 #include <map>
 
 #include "model/motion/march.hpp"
+#include "model/motion/overlap.hpp"
 #include "model/motion/ties.hpp"
 #include "model/motion/vectors.hpp"
 #include "model/scene/box_grid.hpp"
@@ -38,6 +39,18 @@ bool gives_points(const Surface& mine, const Surface& other, double my_impedance
   return std::abs(a - b) > 0.01 * std::max(a, b) ? a < b : my_impedance <= other_impedance;
 }
 
+/// A point of the other body deep in this one. A shape of its own knows its curved sides exactly; of a body that is known by its facets alone,
+/// and of what particles make of it, a quarter of a spacing is allowed for those between them.
+std::optional<Overlap> mass_twice(const Surface& body, const Shape& shape, const Surface& other, double spacing) {
+  const Enclosure enclosure(body);
+  const double tolerance = shape.cells() ? 0.25 * std::max(body.spacing, other.spacing) : 0.05 * spacing;
+  for (const Point& p : other.now) {
+    if (!shape.cells() && !shape.contains(p, -tolerance)) continue;
+    if (const double depth = enclosure.depth(p, tolerance); depth > 0) return Overlap{p, depth};
+  }
+  return {};
+}
+
 }  // namespace
 
 Ties::Ties(const Scene& scene, const std::vector<MovingBody>& bodies) : dim_(scene.dim()) {
@@ -64,6 +77,10 @@ void Ties::tie(const Scene& scene, const Contact& contact, const std::vector<Mov
   const Surface &points = surfaces[mine], &facets = surfaces[1 - mine];
   const double spacing = 0.5 * (points.spacing + facets.spacing);
   const double reach = 1.1 * spacing;
+  for (int s = 0; s < 2; ++s)
+    if (const auto found = mass_twice(surfaces[s], *scene.bodies[contact.between[s]].shape, surfaces[1 - s], spacing))
+      refuse(scene, contact, fmt::format("the bodies overlap by {:.4g} mm at ({:.6g}, {:.6g}, {:.6g}) m, where there would be mass twice; expected them to touch", 1e3 * found->depth,
+                                         found->at[0], found->at[1], found->at[2]));
   std::vector<BoxGrid::Box> boxes;
   for (const Facet& f : facets.facets) {
     const std::array<Point, 4> x = facets.corners(f);

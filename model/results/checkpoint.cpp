@@ -1,6 +1,7 @@
 #include "model/results/checkpoint.hpp"
 
 #include <cstring>
+#include <filesystem>
 #include <fstream>
 
 #include "model/results/hdf5.hpp"
@@ -91,8 +92,10 @@ void write_checkpoint(const std::string& file, const RunOrigin& origin, const st
 }
 
 Checkpoint::Checkpoint(const std::string& file, bool any_program) : file_(file) {
-  std::ifstream in(file, std::ios::binary | std::ios::ate);
-  if (!in) refuse(file, "no checkpoint can be read there; a run leaves one with --checkpoint, or when it is interrupted");
+  std::error_code none;
+  std::ifstream in;
+  if (std::filesystem::is_regular_file(file, none)) in.open(file, std::ios::binary | std::ios::ate);  // a folder opens too, and a pipe waits
+  if (!in.is_open() || !in) refuse(file, "no checkpoint can be read there; a run leaves one with --checkpoint, or when it is interrupted");
   bytes_.resize(std::size_t(std::max<std::streamoff>(0, in.tellg())));
   in.seekg(0);
   in.read(bytes_.data(), std::streamsize(bytes_.size()));

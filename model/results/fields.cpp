@@ -21,17 +21,6 @@ namespace {
 
 const std::string geometry_file = "fields/bodies.h5";
 
-/// Only names that FieldWriter gives; the description first, so that it never refers to what is gone.
-void remove_earlier_fields(const std::string& folder) {
-  remove_file(folder + "/fields.xdmf");
-  remove_file(folder + "/last_good.xdmf");
-  for (const auto& entry : std::filesystem::directory_iterator(folder + "/fields")) {
-    const std::string stem = entry.path().stem();
-    const bool number = stem.size() >= 6 && stem.find_first_not_of("0123456789") == std::string::npos;
-    if (entry.path().extension() == ".h5" && (number || stem == "bodies" || stem == "last_good")) remove_file(entry.path());
-  }
-}
-
 /// A flat vector field as rows of three components.
 const std::vector<double>& rows(const Layout& layout, const double* flat, std::vector<double>& out) {
   out.resize(3 * layout.points);
@@ -172,11 +161,24 @@ struct FieldWriter::Impl {
   }
 };
 
+/// The description first, so that it never refers to what is gone.
+void remove_earlier_fields(const std::string& folder) {
+  remove_file(folder + "/fields.xdmf");
+  remove_file(folder + "/last_good.xdmf");
+  std::error_code none;
+  for (const auto& entry : std::filesystem::directory_iterator(folder + "/fields", none)) {
+    const std::string stem = entry.path().stem();
+    const bool number = stem.size() >= 6 && stem.find_first_not_of("0123456789") == std::string::npos;
+    if (entry.path().extension() == ".h5" && (number || stem == "bodies" || stem == "last_good")) remove_file(entry.path());
+  }
+  std::filesystem::remove(folder + "/fields", none);  // unless something of others is in there
+}
+
 FieldWriter::FieldWriter(const std::string& folder, bool taken_up) : impl_(std::make_unique<Impl>()) {
   impl_->folder = folder;
   make_folder(folder);
-  make_folder(folder + "/fields");
   if (!taken_up) remove_earlier_fields(folder);
+  make_folder(folder + "/fields");
   impl_->geometry.emplace(folder + "/" + geometry_file);
 }
 

@@ -9,6 +9,9 @@
 
 namespace femsph {
 
+/// Removes what a FieldWriter has left in the folder, by the names that it gives.
+void remove_earlier_fields(const std::string& folder);
+
 /// Writes DIR/fields.xdmf, which ParaView opens, and the data it refers to: DIR/fields/bodies.h5 (reference positions and cells, once)
 /// and one DIR/fields/NNNNNN.h5 per snapshot. The XDMF is a temporal collection of spatial collections, one grid per body.
 ///

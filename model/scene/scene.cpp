@@ -81,7 +81,7 @@ LinearElastic elastic_of(const Scene& scene, std::size_t body, const std::string
   const Material& material = scene.material_of(scene.bodies.at(body));
   const Law law = material.law(scene.plane);
   if (const auto* elastic = std::get_if<LinearElastic>(&law)) return *elastic;
-  throw std::runtime_error(what + " is linear elastic; the material \"" + material.name + "\" is " + (material.neo_hookean ? "neo-Hookean" : "plastic"));
+  throw Refusal(what + " is linear elastic; the material \"" + material.name + "\" is " + (material.neo_hookean ? "neo-Hookean" : "plastic"));
 }
 
 bool Scene::is_plastic() const {

@@ -91,8 +91,10 @@ std::optional<T> Fields::choice(const char* key, Need need, const std::vector<st
   return chosen ? std::optional<T>(choices[*chosen].second) : std::nullopt;
 }
 
-/// The bytes of a file; `what` says what it should be ("a scene file"). Throws InputError.
-std::string read_text_file(const std::string& file, const std::string& what);
+/// Files that people write are refused beyond 16 MiB; data may have any length.
+enum class Length { by_hand, any };
+/// All bytes of a file; `what` says what it should be ("a scene file"). Throws InputError.
+std::string read_text_file(const std::string& file, const std::string& what, Length length = Length::by_hand);
 
 /// Any bytes to a table, or InputError with the place of the syntax error.
 toml::table parse_toml(const std::string& text, const std::string& file);

@@ -6,13 +6,14 @@
 #include <filesystem>
 #include <fstream>
 #include <system_error>
+#include <vector>
 
 #include "model/scene/toml_fields.hpp"
 
 namespace femsph {
 namespace {
 
-constexpr std::size_t largest_file = 1 << 18;  // bytes; scenes and studies are written by hand
+constexpr std::size_t largest_file = 1 << 24;  // bytes; scenes and studies are written by hand, a load's history of some 100,000 points included
 
 // toml++ bounds the depth of values in brackets, but not of dotted keys: a.a.a. ... nests one table a dot, and
 // destroying a deep tree of tables would overflow the stack. A key fits on one line. In a chain of keys every dot but the first
@@ -45,9 +46,11 @@ Source too_many_dots(const std::string& text) {
   throw InputError(file, {Fault{at.line, at.column, std::move(text)}});
 }
 
+[[noreturn]] void refuse_length(const std::string& file) { refuse(file, {}, fmt::format("larger than {} bytes; expected a file written by hand", largest_file)); }
+
 }  // namespace
 
-std::string read_text_file(const std::string& file, const std::string& what) {
+std::string read_text_file(const std::string& file, const std::string& what, Length length) {
   std::error_code status;
   const auto type = std::filesystem::status(file, status).type();
   if (type == std::filesystem::file_type::not_found) refuse(file, {}, "no such file; expected " + what);
@@ -56,15 +59,18 @@ std::string read_text_file(const std::string& file, const std::string& what) {
     refuse(file, {}, "is a pipe or a device; expected " + what);
   std::ifstream in(file, std::ios::binary);
   if (!in) refuse(file, {}, "cannot be read (permission?); expected " + what);
-  std::string text(largest_file + 1, '\0');
-  in.read(text.data(), std::streamsize(text.size()));
-  if (in.bad()) refuse(file, {}, "cannot be read; expected " + what);
-  text.resize(std::size_t(in.gcount()));
+  std::string text;
+  std::vector<char> part(1 << 16);
+  while (in.read(part.data(), std::streamsize(part.size())) || in.gcount() > 0) {
+    text.append(part.data(), std::size_t(in.gcount()));
+    if (length == Length::by_hand && text.size() > largest_file) refuse_length(file);
+  }
+  if (in.bad()) refuse(file, {}, "cannot be read to its end; expected " + what);
   return text;
 }
 
 toml::table parse_toml(const std::string& text, const std::string& file) {
-  if (text.size() > largest_file) refuse(file, {}, fmt::format("larger than {} bytes; expected a file written by hand", largest_file));
+  if (text.size() > largest_file) refuse_length(file);
   if (const Source at = too_many_dots(text); at.line > 0) refuse(file, at, "too many dots in one line; expected a key of a few words");
   try {
     return toml::parse(text);

@@ -3,6 +3,8 @@
 #include <fmt/format.h>
 #include <udunits2.h>
 
+#include <algorithm>
+#include <cctype>
 #include <charconv>
 #include <cmath>
 #include <memory>
@@ -58,6 +60,27 @@ Written split(const std::string& quantity, const std::string& expected) {
   return {number, fmt::format("{}{}", rest[0] == '/' ? "1" : "", rest)};
 }
 
+/// The unit has an angle in it, such as rad/s, degree/s or rpm.
+bool has_angle(const ut_unit* unit) {
+  char text[256];
+  const int length = ut_format(unit, text, sizeof text, UT_ASCII | UT_DEFINITION);  // "0.10471975511966 rad.s-1"
+  return length > 0 && std::string_view(text, std::min(std::size_t(length), sizeof text)).find("rad") != std::string_view::npos;
+}
+
+/// A frequency by name: "Hz", "kHz", "hertz"; or an angle, where none belongs.
+void refuse_ambiguous(const Written& written, const ut_unit* unit, const std::string& quantity, const Dimension& dimension) {
+  const bool angle = has_angle(unit);
+  if (dimension.angle == Dimension::Angle::must && !angle)
+    throw std::invalid_argument(fmt::format("{} is a frequency, of which one per second may mean 1 rad/s or one turn, 2 pi rad/s; expected {} with its unit, such as \"{}\" or \"{:g} rpm\" (turns a minute)",
+                                            in_quotes(quantity), dimension.name, dimension.example, 3000.0));
+  if (dimension.angle != Dimension::Angle::foreign_to_rate) return;
+  std::string small = written.unit;
+  for (char& c : small) c = char(std::tolower(static_cast<unsigned char>(c)));
+  if (angle || small.find("hz") != std::string::npos || small.find("hertz") != std::string::npos)
+    throw std::invalid_argument(fmt::format("{} counts turns or angles, which may or may not bring a factor of 2 pi; expected {} with its unit, such as \"{}\"", in_quotes(quantity),
+                                            dimension.name, dimension.example));
+}
+
 }  // namespace
 
 std::string expected_quantity(const Dimension& dimension) {
@@ -74,6 +97,7 @@ double to_si(const std::string& quantity, const Dimension& dimension) {
   // UDUNITS-2 also converts scales with a shifted origin and logarithms; those are not factors.
   if (!converter || cv_convert_double(converter.get(), 0.0) != 0.0)
     throw std::invalid_argument(fmt::format("{} is not {}; expected {}", in_quotes(quantity), dimension.name, expected));
+  if (dimension.angle != Dimension::Angle::none) refuse_ambiguous(written, unit.get(), quantity, dimension);
   const double value = cv_convert_double(converter.get(), written.number);
   if (value != 0 && !(std::abs(value) >= 1e-60 && std::abs(value) <= 1e60))
     throw std::invalid_argument(fmt::format("{} is too large or too small to compute with; expected {}", in_quotes(quantity), expected));

@@ -10,14 +10,17 @@ struct Dimension {
   const char* si;       ///< the unit in which the program keeps it
   const char* name;     ///< with its article: "a length"
   const char* example;  ///< "10 mm"
+  /// What an angle has to do with it. UDUNITS takes a radian for 1 and a hertz for 1/s, so that "1 Hz" would be a spin of 1 rad/s to it and of
+  /// 2 pi rad/s to most: a quantity that can be read in two ways is refused.
+  enum class Angle { none, must, foreign_to_rate } angle = Angle::none;
 };
 
 namespace dimension {
 inline constexpr Dimension length{"m", "a length", "10 mm"};
 inline constexpr Dimension area{"m^2", "an area", "250 mm^2"};
 inline constexpr Dimension time{"s", "a time", "50 ms"};
-inline constexpr Dimension rate{"1/s", "a rate", "100 1/s"};
-inline constexpr Dimension rotation{"1/s", "a rate of rotation", "50 rad/s"};
+inline constexpr Dimension rate{"1/s", "a rate", "100 1/s", Dimension::Angle::foreign_to_rate};
+inline constexpr Dimension rotation{"1/s", "a rate of rotation", "50 rad/s", Dimension::Angle::must};
 inline constexpr Dimension velocity{"m/s", "a velocity", "1 m/s"};
 inline constexpr Dimension acceleration{"m/s^2", "an acceleration", "9.81 m/s^2"};
 inline constexpr Dimension mass{"kg", "a mass", "300 kg"};

@@ -62,3 +62,24 @@ TEST(Units, FaultsKeepTheTerminalQuiet) {
   complaint("10 m^999", dimension::length);
   EXPECT_EQ(testing::internal::GetCapturedStderr(), "");
 }
+
+// A turn is 2 pi rad. What counts without saying what it counts can be read in two ways.
+TEST(Units, ASpinNeedsAnAngle) {
+  const double pi = 3.14159265358979323846;
+  EXPECT_DOUBLE_EQ(to_si("50 rad/s", dimension::rotation), 50);
+  EXPECT_DOUBLE_EQ(to_si("60 rpm", dimension::rotation), 2 * pi);
+  EXPECT_DOUBLE_EQ(to_si("2 revolutions/s", dimension::rotation), 4 * pi);
+  EXPECT_DOUBLE_EQ(to_si("180 degree/s", dimension::rotation), pi);
+  EXPECT_DOUBLE_EQ(to_si("1 krad/min", dimension::rotation), 1000.0 / 60);
+  for (const char* text : {"1 Hz", "1 kHz", "60 1/min", "1/s", "1 hertz", "2 s^-1", "0 Hz"})
+    EXPECT_EQ(complaint(text, dimension::rotation), "\"" + std::string(text) + "\" is a frequency, of which one per second may mean 1 rad/s or one turn, 2 pi rad/s; expected a rate of "
+                                                    "rotation with its unit, such as \"50 rad/s\" or \"3000 rpm\" (turns a minute)");
+  EXPECT_NE(complaint("1 m/s", dimension::rotation), "");
+  EXPECT_NE(complaint("1 rad", dimension::rotation), "");
+}
+
+TEST(Units, ARateCountsNoTurns) {
+  EXPECT_DOUBLE_EQ(to_si("10 %/s", dimension::rate), 0.1);
+  for (const char* text : {"5 Hz", "5 kHz", "5 hertz", "5 rad/s", "5 rpm"})
+    EXPECT_EQ(complaint(text, dimension::rate), "\"" + std::string(text) + "\" counts turns or angles, which may or may not bring a factor of 2 pi; expected a rate with its unit, such as \"100 1/s\"");
+}
