@@ -42,12 +42,14 @@ std::string scalar_unit(const std::string& scalar) {
   return "1";
 }
 
-/// What the other columns of a history hold (model/motion/README.md): contact_NAME_force_x, support_NAME_force_x, support_NAME_moment_z, and of a
-/// rigid body NAME_x, NAME_vx, NAME_turn.
+/// What the other columns of a history hold (model/motion/README.md): contact_NAME_force_x, support_NAME_force_x, support_NAME_moment_z, momentum_x,
+/// angular_momentum_z, and of a rigid body NAME_x, NAME_vx, NAME_turn.
 std::string column_unit(const std::string& column) {
   const bool action = column.starts_with("contact_") || column.starts_with("support_");
   if (action && column.find("_force_") != std::string::npos) return "N";
   if (action && column.find("_moment_") != std::string::npos) return "N m";
+  if (column.starts_with("momentum_")) return "kg m/s";
+  if (column.starts_with("angular_momentum_")) return "kg m^2/s";
   if (column.ends_with("_vx") || column.ends_with("_vy") || column.ends_with("_vz")) return "m/s";
   return column.ends_with("_turn") ? "1" : "m";
 }
@@ -64,6 +66,7 @@ const char* si_unit(Quantity quantity) {
       return "m/s";
     case Quantity::stress:
     case Quantity::equivalent_stress:
+    case Quantity::principal_stress:
       return "Pa";
     case Quantity::strain:
     case Quantity::plastic_strain:
@@ -74,6 +77,7 @@ const char* si_unit(Quantity quantity) {
 
 std::vector<std::string> components(Quantity quantity) {
   if (quantity == Quantity::plastic_strain || quantity == Quantity::equivalent_stress) return {"equivalent"};
+  if (quantity == Quantity::principal_stress) return {"1", "2", "3"};
   const bool vector = quantity == Quantity::displacement || quantity == Quantity::velocity;
   return vector ? std::vector<std::string>{"x", "y", "z"} : std::vector<std::string>{"xx", "yy", "zz", "xy", "yz", "zx"};
 }

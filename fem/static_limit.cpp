@@ -25,6 +25,7 @@
 
 #include "fem/fem.hpp"
 #include "fem/mesh.hpp"
+#include "model/motion/principal.hpp"
 
 namespace femsph::fem {
 
@@ -266,6 +267,10 @@ class StaticSolver {
       s[2] = law_.thickness_stress({}, {s[0], s[1], s[3]}, nullptr);
     }
     if (quantity == Quantity::equivalent_stress) return {von_mises({s[0], s[1], s[2], s[3], s[4], s[5]})};
+    if (quantity == Quantity::principal_stress) {
+      const std::array<double, 3> principal = principal_values({s[0], s[1], s[2], s[3], s[4], s[5]});
+      return {principal.begin(), principal.end()};
+    }
     if (quantity == Quantity::plastic_strain) return {0};
     return quantity == Quantity::stress ? s : e;
   }
