@@ -23,8 +23,9 @@ using namespace femsph::compare;
 enum Exit { done = 0, bad_input = 1, bad_command = 2, bad_run = 3, bad_machine = 4, stopped = 5, interrupted = 6 };
 
 const char* const exit_codes =
-    "Exit codes: 0 done; 1 bad input (scene, study, checkpoint); 2 bad command line; 3 a run that cannot begin, or no advice; 4 the machine (files, disk,\n"
-    "memory); 5 a watch stopped the run: the message says where and why; 6 interrupted (SIGINT, SIGTERM): `femsph resume` goes on.";
+    "Exit codes: 0 done; 1 bad input (scene, study, checkpoint); 2 bad command line; 3 a run that cannot begin, or one with [settling]\n"
+    "that did not settle (its results are written), or no advice; 4 the machine (files, disk, memory);\n"
+    "5 a watch stopped the run: the message says where and why; 6 interrupted (SIGINT, SIGTERM): `femsph resume` goes on.";
 
 void add_method_options(CLI::App* command, RunCommand& c) {
   command->add_option("scene", c.scene, "scene file (TOML)")->required();

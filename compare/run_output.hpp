@@ -45,6 +45,7 @@ class RunOutput {
   RunOrigin origin_;
   std::unique_ptr<FieldWriter> fields_;
   std::vector<std::size_t> ids_;
+  AlignedVector<double> velocity_;  ///< of a body, at the whole step
   Interruption interruption_;
   double saved_at_;             ///< wall seconds
   std::string saved_progress_;  ///< of the last whole checkpoint; empty: none

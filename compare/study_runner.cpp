@@ -86,6 +86,7 @@ std::vector<Row> rows_of(const Study& study, const PlannedRun& run, const RunRes
           if (const auto coarser = reduce(quantity, *result, scene, &known->coarser).limit; coarser && *reduced.limit != 0)
             row.limit_known_percent = 100 * std::abs(*coarser / *reduced.limit - 1);
         row.limit = reduced.limit, row.error_vs_limit_percent = reduced.error_vs_limit_percent;
+        if (row.settled == false) row.error_percent = row.error_vs_limit_percent = {};  // how far a body was on its way is no error of a method
       } catch (const std::exception& e) {
         row.failure = e.what();
       }

@@ -2,7 +2,7 @@
 //
 // At rest means equilibrium, whatever the method: the forces r that are left on free components (loads + contact + reactions - internal forces,
 // that is, mass times acceleration) and what still moves are small. Three shares, each below the scene's `tolerance` at two looks in a row:
-//   force         sum |r| over the larger of sum |loads and weight| and sum |reactions|. The reactions lack of the loads exactly sum r.
+//   force         sum |r| over sum |loads and weight|. The resultant of the reactions lacks of that of the loads exactly sum r.
 //   displacement  |r / m| / (omega^2 |u|), |x| = (x . M x)^1/2, omega from the Rayleigh quotient of u itself: in a mode of frequency omega, r is
 //                 omega^2 m times the displacement that is still to come; of higher modes that is too much. Not asked of bodies in contact or
 //                 rigid ones, whose displacement may be a fall.
@@ -81,12 +81,11 @@ void March::settle(const Ledger& l) {
     for (const Load& load : scene_.loads)
       if (load.place.body == body.index) loads += std::abs(load.history.at(time())) * size(load.force);
   }
-  if (inertia == 0) return;
   const double stored = l.strain + l.hourglass;
-  const double omega = std::sqrt(2 * stored / inertia);  // Rayleigh quotient of the motion itself
+  const double omega = inertia > 0 ? std::sqrt(2 * stored / inertia) : 0.0;  // Rayleigh quotient of the motion itself
   if (adaptive_damping_) damping_rate_ = 2 * omega;      // critical for the slowest mode
-  double scale = std::max(loads, reactions);
-  if (loads == 0) scale = force_scale_ = std::max({force_scale_, scale, left});
+  if (loads == 0) force_scale_ = std::max({force_scale_, reactions, left});  // the largest so far
+  const double scale = loads > 0 ? loads : force_scale_;
   const auto share = [](double part, double whole) { return part == 0 ? 0.0 : part / whole; };
   unrest_.force = share(left, scale);
   unrest_.displacement = contacts_.empty() && rigid_.empty() ? share(std::sqrt(accelerated), omega * omega * std::sqrt(inertia)) : 0.0;
