@@ -47,8 +47,8 @@ double last(const RunResult& r, const char* column) { return r.history[column].v
 TEST(Settling, BothMethodsComeToTheSameRestInComparableTimes) {
   for (const char* method : {"fem-full", "fem-assumed-strain", "sph-corrected"}) {
     const auto run = [&](const char* settling) { return run_scene(cantilever(settling), method_named(method), {0.025, {}}, {}); };
-    const RunResult exact = run("method = \"damping\"\ntolerance = 1e-9\n");
-    ASSERT_TRUE(exact.settled) << method;
+    const RunResult exact = run("method = \"damping\"\ntolerance = 1e-8\n");
+    ASSERT_TRUE(exact.settled) << method << testing::PrintToString(exact.warnings);
     double steps[2];
     int k = 0;
     for (const char* by : {"damping", "kinetic"}) {
