@@ -135,6 +135,8 @@ CheckpointOptions checkpoint_of(const RunCommand& c) {
   return options;
 }
 
+constexpr int not_settled = 3;  ///< exit code: the results are there and are no static state
+
 void print_warning(const std::string& text) { fmt::print(stderr, "warning: {}\n", text); }
 
 /// The scene of a checkpoint: its own text; mesh files from where they were.
@@ -174,15 +176,16 @@ int run_command(const RunCommand& command) {
 
   fmt::print("{}\n", scene.title);
   for (const auto& [key, value] : r.derived) fmt::print("  {:<24} {}\n", key, value);
-  fmt::print("  {:<24} {}\n", "outcome", r.settled ? "settled" : scene.settling ? "not settled within the duration" : "finished");
+  fmt::print("  {:<24} {}\n", "outcome", r.settled ? "settled" : scene.settling ? "NOT SETTLED within the duration: no static state" : "finished");
   for (const Column& column : r.history.columns)
     fmt::print("  {:<24} {:.6g} {}\n", column.name, column.values.back(), column.unit == "1" ? "" : column.unit);
   const double scale = std::max(std::abs(r.ledger.external) + r.ledger.initial, 1e-300);
   fmt::print("  {:<24} {:.2e} of the energy supplied; linear momentum {:.1e}, angular {:.1e}\n", "imbalance", std::abs(r.ledger.imbalance()) / scale,
              r.momentum_error, r.moment_error);
+  fmt::print("  {:<24} {:.1e} of the forces, {:.1e} of their moments: loads + reactions - inertia, at worst\n", "balance", r.balance.force, r.balance.moment);
   fmt::print("{}", price_text(r.price, method.is_fem() ? "element" : "particle"));
   fmt::print("results in {}\n", command.out);
-  return 0;
+  return scene.settling && !r.settled ? not_settled : 0;
 }
 
 std::string version_text() {

@@ -24,7 +24,8 @@ enum Exit { done = 0, bad_input = 1, bad_command = 2, bad_run = 3, bad_machine =
 
 const char* const exit_codes =
     "Exit codes: 0 done; 1 bad input (scene, study, checkpoint); 2 bad command line (also a number out of its range, or an option that\n"
-    "would do nothing); 3 a run that cannot begin (the method refuses the scene, bodies overlap, nothing can move, ..), a study of which something is\n"
+    "would do nothing); 3 a run that cannot begin (the method refuses the scene, bodies overlap, nothing can move, ..), one with\n"
+    "[settling] that did not settle (its results are written), a study of which something is\n"
     "missing, or no advice; 4 the machine (files, disk, memory); 5 a watch stopped the run: the message says where and why; 6 interrupted (SIGINT, SIGTERM): `femsph resume` goes on.";
 
 void add_method_options(CLI::App* command, RunCommand& c) {

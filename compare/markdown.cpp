@@ -52,7 +52,7 @@ std::string quantity_table(const std::vector<const Row*>& rows, bool several_stu
                      percent(row->paper_error_percent), plain(row->steps), number(row->cpu_s, 2),
                      !row->settled   ? ""
                      : *row->settled ? "yes"
-                                     : "no"});
+                                     : "**NO**"});
   return caption + "\n\n" + markdown_table(cells);
 }
 

@@ -79,11 +79,30 @@ std::vector<std::pair<std::string, std::string>> derived_values(const March& mar
                                                      : fmt::format("{:.6g} s{}", march.dt(), march.follows_deformation() ? ", less if the deformation asks for it" : ""));
   out.emplace_back("planned steps", fmt::format("{}{}", march.planned_steps(), march.scene().settling ? " at most, fewer once settled" : ""));
   out.emplace_back("memory", fmt::format("{:.3g} MB", double(march.price().bytes) / 1e6));
+  const std::vector<Support> holds = march.scene().holds();
+  for (std::size_t h = 0; h < holds.size(); ++h)
+    if (!holds[h].name.empty()) {
+      const Point x = reaction_of(march, h).centroid(march);
+      out.emplace_back("support " + holds[h].name, fmt::format("moments about the centroid of its place, ({:.6g}, {:.6g}, {:.6g}) m{}", x[0], x[1], x[2],
+                                                               march.scene().large_motion ? " now" : ""));
+    }
   std::string effects;
   for (const std::string& e : march.scene().effects()) effects += (effects.empty() ? "" : ", ") + e;
   out.emplace_back("effects on", effects.empty() ? "none" : effects);
   return out;
 }
+
+std::vector<std::string> warnings_of(const March& march, const Recorder& recorder) {
+  std::vector<std::string> all = march.warnings();
+  constexpr double round_off = 1e-9;
+  if (recorder.balance().force > round_off)
+    all.push_back(fmt::format("forces do not add up: mass times acceleration, loads and reactions together leave {:.2g} of their magnitudes at the worst sample; "
+                              "reactions are wrong by as much",
+                              recorder.balance().force));
+  return all;
+}
+
+std::string outcome_of(const March& march) { return march.settled() ? "settled" : march.scene().settling ? "not settled" : "finished"; }
 
 namespace {
 
@@ -95,7 +114,8 @@ RunResult result_of(const March& march, const Recorder& recorder, const std::opt
   r.price = march.price();
   r.settled = march.settled();
   r.derived = derived_values(march);
-  r.warnings = march.warnings();
+  r.warnings = warnings_of(march, recorder);
+  r.balance = recorder.balance();
   for (const MovingBody& body : march.bodies()) r.points += body.discretization->layout().points;
   r.scalars["critical_step"] = march.critical_step();
   if (conservation) {
@@ -124,11 +144,11 @@ RunResult run_scene(const Scene& scene, const Method& method, const Resolution& 
   March march(scene, std::move(bodies), options.march);
   march.price().add("setup", ready - start);
   std::size_t said = 0;
-  const auto say_warnings = [&] {
-    for (; said < march.warnings().size(); ++said)
-      if (options.warn) options.warn(march.warnings()[said]);
+  const auto say_warnings = [&](const std::vector<std::string>& warnings) {
+    for (; said < warnings.size(); ++said)
+      if (options.warn) options.warn(warnings[said]);
   };
-  say_warnings();
+  say_warnings(march.warnings());
   Recorder recorder(march);
   std::unique_ptr<RunOutput> output;
   if (options.folder) output = std::make_unique<RunOutput>(method, options, march, recorder, start_cpu);
@@ -161,8 +181,8 @@ RunResult run_scene(const Scene& scene, const Method& method, const Resolution& 
     if (output) output->try_to_finish(error.what());
     throw;
   }
-  say_warnings();
-  if (output) output->finish(march.settled() ? "settled" : "finished", true);
+  say_warnings(warnings_of(march, recorder));
+  if (output) output->finish(outcome_of(march), true);
 
   RunResult r = result_of(march, recorder, conservation);
   r.profiles = recorder.profiles(march);

@@ -11,7 +11,7 @@
 #include <vector>
 
 #include "fem/fem.hpp"
-#include "model/motion/march.hpp"
+#include "model/motion/recorder.hpp"
 #include "model/results/checkpoint.hpp"
 #include "model/results/history.hpp"
 #include "sph/sph.hpp"
@@ -69,6 +69,7 @@ struct RunResult {
   Ledger ledger;
   double momentum_error = 0;                ///< |sum of internal forces| / sum of |internal forces| at the end
   double moment_error = 0;                  ///< the same of their moments
+  Balance balance;                          ///< the worst of all samples
   Price price;
   bool settled = false;
   double spacing = 0;                       ///< m, as discretized; of several bodies the widest
@@ -87,6 +88,12 @@ RunResult run_scene(const Scene& scene, const Method& method, const Resolution& 
 
 /// What a run derives from its scene, for people: particles or elements, step, memory, effects.
 std::vector<std::pair<std::string, std::string>> derived_values(const March& march);
+
+/// Those of the march, and whether its forces have added up.
+std::vector<std::string> warnings_of(const March& march, const Recorder& recorder);
+
+/// "settled", "not settled" or "finished".
+std::string outcome_of(const March& march);
 
 /// What a run has cost, for people, in two lines: CPU and wall time, steps, time a step and unit ("particle"), memory; and its phases.
 std::string price_text(const Price& price, const std::string& unit);

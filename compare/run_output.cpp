@@ -80,8 +80,14 @@ RunOutput::RunOutput(const Method& method, const RunOptions& options, March& mar
 
 void RunOutput::snapshot() {
   if (!fields_) return;
-  for (std::size_t b = 0; b < ids_.size(); ++b)
-    fields_->snapshot(ids_[b], march_.step(), march_.time(), march_.bodies()[b].u.data(), march_.bodies()[b].v.data());
+  for (std::size_t b = 0; b < ids_.size(); ++b) {
+    const MovingBody& body = march_.bodies()[b];
+    const Layout& at = body.discretization->layout();
+    velocity_.assign(at.size, 0.0);
+    for (std::size_t i = 0; i < at.points; ++i)
+      for (int c = 0; c < at.dim; ++c) velocity_[at.at(i, c)] = march_.velocity(body, at.at(i, c));
+    fields_->snapshot(ids_[b], march_.step(), march_.time(), body.u.data(), velocity_.data());
+  }
   fields_->commit_later();
 }
 
@@ -142,7 +148,8 @@ void RunOutput::finish(const std::string& outcome, bool whole) {
     record_.ledger = march_.ledger();
   }
   record_.derived = derived_values(march_);
-  record_.warnings = march_.warnings();
+  record_.derived.emplace_back("balance", fmt::format("{:.1e} of the forces, {:.1e} of their moments: loads + reactions - inertia, at worst", recorder_.balance().force, recorder_.balance().moment));
+  record_.warnings = warnings_of(march_, recorder_);
   record_.price = march_.price();
   record_.outcome = outcome;
   record_.finished_at = utc_now();

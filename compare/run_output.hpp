@@ -52,6 +52,7 @@ class RunOutput {
   RunOrigin origin_;
   std::unique_ptr<FieldWriter> fields_;
   std::vector<std::size_t> ids_;
+  AlignedVector<double> velocity_;  ///< of a body, at the whole step
   Interruption interruption_;
   double start_cpu_, cpu_before_ = 0;  ///< s
   double saved_at_;             ///< wall seconds

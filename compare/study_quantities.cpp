@@ -43,8 +43,8 @@ std::string scalar_unit(const std::string& scalar) {
   return "1";
 }
 
-/// What the other columns of a history hold (model/motion/README.md): contact_NAME_force_x, support_NAME_force_x, support_NAME_moment_z, and of a
-/// rigid body NAME_x, NAME_vx, NAME_turn.
+/// What the other columns of a history hold (model/motion/README.md): contact_NAME_force_x, support_NAME_force_x, support_NAME_moment_z, momentum_x,
+/// angular_momentum_z, and of a rigid body NAME_x, NAME_vx, NAME_turn.
 std::string column_unit(const std::string& column) {
   if (std::find(energies.begin(), energies.end(), column) != energies.end()) return "J";
   if (column.starts_with("momentum_")) return "kg m/s";

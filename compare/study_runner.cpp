@@ -94,6 +94,7 @@ std::vector<Row> rows_of(const Study& study, const PlannedRun& run, const RunRes
         row.limit = reduced.limit, row.error_vs_limit_percent = reduced.error_vs_limit_percent;
         if (row.error_vs_limit_percent) row.limit_doubt = doubt_of(quantity, scene, *known);
         if (!row.limit_doubt.empty()) forget_limit(quantity, row);
+        if (row.settled == false) row.error_percent = row.error_vs_limit_percent = {};  // how far a body was on its way is no error of a method
       } catch (const std::exception& e) {
         row.failure = e.what();
       }

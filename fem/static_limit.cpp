@@ -27,6 +27,7 @@
 #include "fem/fem.hpp"
 #include "fem/mesh.hpp"
 #include "model/scene/structured_shapes.hpp"
+#include "model/motion/principal.hpp"
 
 namespace femsph::fem {
 
@@ -268,14 +269,11 @@ class StaticSolver {
       s[2] = law_.thickness_stress({}, {s[0], s[1], s[3]}, nullptr);
     }
     if (quantity == Quantity::equivalent_stress) return {von_mises({s[0], s[1], s[2], s[3], s[4], s[5]})};
-    if (quantity == Quantity::plastic_strain) return {0};
     if (quantity == Quantity::principal_stress) {
-      dealii::SymmetricTensor<2, 3> stress;
-      for (int i = 0; i < 3; ++i)
-        for (int j = i; j < 3; ++j) stress[i][j] = s[symmetric_index<3>(i, j)];
-      const auto sorted = dealii::eigenvalues(stress);  // the largest first
-      return {sorted[0], sorted[1], sorted[2]};
+      const std::array<double, 3> principal = principal_values({s[0], s[1], s[2], s[3], s[4], s[5]});
+      return {principal.begin(), principal.end()};
     }
+    if (quantity == Quantity::plastic_strain) return {0};
     return quantity == Quantity::stress ? s : e;
   }
 

@@ -3,32 +3,10 @@
 #include <algorithm>
 #include <cmath>
 
+#include "model/motion/reactions.hpp"
 #include "model/motion/vectors.hpp"
 
 namespace femsph {
-namespace {
-
-/// Calls take(x, v, m) for every point at a whole step: its place, undeformed for small motion, where that is what moments are kept about.
-template <class Take>
-void each_point(const March& march, Take&& take) {
-  const bool moved = march.scene().large_motion;
-  for (const MovingBody& body : march.bodies()) {
-    const Discretization& d = *body.discretization;
-    const Layout& at = d.layout();
-    for (std::size_t i = 0; i < at.points; ++i) {
-      Point x = d.position(i), v{};
-      for (int c = 0; c < at.dim; ++c) {
-        const std::size_t slot = at.at(i, c);
-        const double force = body.f[slot] + (body.viscous.empty() ? 0.0 : body.viscous[slot]);
-        if (moved) x[c] += body.u[slot];
-        v[c] = body.v[slot] + 0.5 * march.dt() * body.inverse_mass[slot] * force;
-      }
-      take(x, v, d.mass()[i]);
-    }
-  }
-}
-
-}  // namespace
 
 Conservation::Conservation(const March& march) {
   const Scene& scene = march.scene();
@@ -54,10 +32,17 @@ void Conservation::sample_free(const March& march) {
     size[0] += m * norm(v);
     size[1] += m * norm(arm) * norm(v);
   };
-  each_point(march, add);
+  for (const MovingBody& body : march.bodies()) {
+    const Layout& at = body.discretization->layout();
+    for (std::size_t i = 0; i < at.points; ++i) {
+      Point v{};
+      for (int c = 0; c < at.dim; ++c) v[c] = march.velocity(body, at.at(i, c));
+      add(place_of(march, body, i), v, body.discretization->mass()[i]);
+    }
+  }
   for (const RigidBody& body : march.rigid_bodies()) {
-    add(body.centre(), body.velocity_now(march.dt()), body.mass);
-    now[1] = now[1] + body.spin + 0.5 * march.dt() * body.moment;
+    add(body.centre(), march.velocity(body), body.mass);
+    now[1] = now[1] + march.spin(body);
     size[1] += norm(body.spin);
   }
   if (!started_) start_ = now;

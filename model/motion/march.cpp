@@ -14,6 +14,7 @@
 
 #include "model/motion/critical_step.hpp"
 #include "model/motion/gravity.hpp"
+#include "model/motion/vectors.hpp"
 #include "model/numerics/parallel.hpp"
 #include "model/numerics/simd.hpp"
 
@@ -35,9 +36,10 @@ void March::run(const MarchEvents& events) {
     if (follows_) follow_deformation();
     forces();
     if (step_ == 0) start_velocities();
-    else count_driven_work();
+    else find_reactions(), count_driven_work();
+    const bool at_rest = step_ == 0 || going_back_;
+    if (going_back_) start_again_from_rest();
     if (next_dt_ != dt_) change_step();
-    if (kinetic_damping_) stop_at_kinetic_peak();
     if (step_ % watch_every_ == 0 || step_ >= planned_) watch(step_ >= planned_);
     const bool last = settled_ || step_ >= planned_;
     price_.steps = step_;
@@ -51,10 +53,12 @@ void March::run(const MarchEvents& events) {
     }
     if (events.progress && step_ % watch_every_ == 0) events.progress(*this);
     if (last) break;
-    kick_and_drift();
+    if (kinetic_damping_ && !at_rest && past_kinetic_peak()) go_back_half_a_step();
+    else kick_and_drift();
     ++step_;
     if (events.between) events.between(*this);
   }
+  if (scene_.settling && !settled_) say_what_did_not_settle();
 }
 
 /// When somebody asks, not in every step: the clock of the process is a call of the kernel, which takes as long as a step of a hundred cells.
@@ -170,14 +174,22 @@ void advance(MovingBody& body, double dt, double rate, double& damping_loss, dou
 }  // namespace
 
 void March::kick_and_drift() {
-  const double now = time(), next = time_of(step_ + 1), done = external_work_;
   for (MovingBody& body : bodies_) {
     const bool damped = damping_rate_ > 0, viscous = !body.viscous.empty();
     if (damped && viscous) advance<true, true>(body, dt_, damping_rate_, damping_loss_, viscous_loss_);
     else if (damped) advance<true, false>(body, dt_, damping_rate_, damping_loss_, viscous_loss_);
     else if (viscous) advance<false, true>(body, dt_, 0, damping_loss_, viscous_loss_);
     else advance<false, false>(body, dt_, 0, damping_loss_, viscous_loss_);
-    if (!body.driven.empty()) drive(body, 0.5 * (now + next));
+    if (!body.driven.empty()) drive(body);
+  }
+  move_rigid_bodies();
+  count_work_of_loads();
+  count_driven_work();
+}
+
+void March::count_work_of_loads() {
+  const double now = time(), next = time_of(step_ + 1), done = external_work_;
+  for (const MovingBody& body : bodies_) {
     for (const MovingBody::NodalLoad& load : body.loads) {
       const TimeHistory& h = scene_.loads[load.load].history;
       external_work_ += load.force * 0.5 * (h.at(now) + h.at(next)) * dt_ * body.v[load.slot];
@@ -185,26 +197,11 @@ void March::kick_and_drift() {
     if (scene_.gravity)
       external_work_ += dt_ * power_of_weight(body.discretization->layout(), body.discretization->mass(), *scene_.gravity, body.v.data());
   }
-  move_rigid_bodies();
-  external_passed_ += std::abs(external_work_ - done);
-  count_driven_work();
-}
-
-void March::drive(MovingBody& body, double middle) {
-  for (const MovingBody::Driven& d : body.driven) {
-    const double velocity = d.velocity * scene_.supports[d.support].history.at(middle);
-    body.u[d.slot] += dt_ * (velocity - body.v[d.slot]);  // the kick has moved it by the velocity of the step before
-    body.v[d.slot] = velocity;
+  for (const RigidBody& body : rigid_) {
+    for (const Load& load : scene_.loads)
+      if (load.place.body == body.index) external_work_ += 0.5 * (load.history.at(now) + load.history.at(next)) * dt_ * dot(load.force, body.velocity);
+    if (scene_.gravity) external_work_ += body.mass * dt_ * dot(*scene_.gravity, body.velocity);
   }
-}
-
-/// The reaction of a driven support is what balances every other force there (its points have no inertia in the ledger). Over a step its
-/// work is -1/2 dt v(n+1/2) (f(n) + f(n+1)): the first half is counted after the drift, the second with the next forces.
-void March::count_driven_work() {
-  const double done = external_work_;
-  for (const MovingBody& body : bodies_)
-    for (const MovingBody::Driven& d : body.driven)
-      external_work_ -= 0.5 * dt_ * body.v[d.slot] * (body.f[d.slot] + (body.viscous.empty() ? 0.0 : body.viscous[d.slot]));
   external_passed_ += std::abs(external_work_ - done);
 }
 
@@ -238,6 +235,12 @@ March::Kinetic March::kinetic() const {
     if (damping_rate_ > 0)
       k.damping += 0.25 * damping_rate_ * dt_ * sum([&](std::size_t i, double before, double after) { return (before + after) * before / body.inverse_mass[i]; });
     if (viscous) k.viscosity -= 0.5 * dt_ * sum([&](std::size_t i, double before, double) { return body.viscous[i] * before; });
+    for (const MovingBody::Driven& d : body.driven) {  // free, under its reaction
+      const double g = viscous ? body.viscous[d.slot] : 0.0, before = body.v[d.slot], after = keep * before + push * (body.f[d.slot] + g + d.reaction) / d.mass;
+      k.energy += 0.5 * d.mass * before * after;
+      k.damping += 0.25 * damping_rate_ * dt_ * d.mass * (before + after) * before;
+      k.viscosity -= 0.5 * dt_ * g * before;
+    }
   }
   for (const RigidBody& body : rigid_) {
     k.energy += 0.5 * body.product(keep, push, 0, 1);
@@ -246,10 +249,35 @@ March::Kinetic March::kinetic() const {
   return k;
 }
 
+double March::energy_of_half_a_kick() const {
+  const auto [keep, push] = leap(dt_);
+  double all = 0;
+  for (const MovingBody& body : bodies_) {
+    const bool viscous = !body.viscous.empty();
+    all += sum_of_entries(body.v.size(), [&, keep = keep, push = push](std::size_t begin, std::size_t end) {
+      double s = 0;
+      for (std::size_t i = begin; i < end; ++i) {
+        const double w = body.inverse_mass[i];
+        if (w == 0) continue;
+        const double kick = (keep - 1) * body.v[i] + push * w * (viscous ? body.f[i] + body.viscous[i] : body.f[i]);
+        s += 0.125 * kick * kick / w;
+      }
+      return s;
+    });
+    for (const MovingBody::Driven& d : body.driven) {
+      const double kick = (keep - 1) * body.v[d.slot] + push * (body.f[d.slot] + (viscous ? body.viscous[d.slot] : 0.0) + d.reaction) / d.mass;
+      all += 0.125 * d.mass * kick * kick;
+    }
+  }
+  for (const RigidBody& body : rigid_) all += 0.125 * body.energy_of_kick(keep, push);
+  return all;
+}
+
 Ledger March::ledger() const {
   Ledger l;
   const Kinetic k = kinetic();
-  l.kinetic = k.energy;
+  l.kinetic = k.energy + energy_of_half_a_kick();
+  l.discrete = k.energy - l.kinetic - (initial_energy_ - initial_whole_);
   for (const MovingBody& body : bodies_) {
     const Energies held = body.discretization->energies(body.u.data());
     l.strain += held.strain;
@@ -264,33 +292,8 @@ Ledger March::ledger() const {
   l.external = external_work_;
   l.damping = damping_loss_ + k.damping - start_damping_;
   l.viscosity = viscous_loss_ + k.viscosity - start_viscosity_;
-  l.initial = initial_energy_;
+  l.initial = initial_whole_;
   return l;
-}
-
-/// Kinetic damping (Cundall): when the kinetic energy has passed a peak, all velocities start again from rest.
-void March::stop_at_kinetic_peak() {
-  double now = 0;
-  for (const MovingBody& body : bodies_)
-    now += parallel_sum(body.v.size(), [&](std::size_t begin, std::size_t end) {
-      double s = 0;
-      for (std::size_t i = begin; i < end; ++i) s += 0.5 * body.mass[i] * body.v[i] * body.v[i];
-      return s;
-    });
-  for (const RigidBody& body : rigid_) now += 0.5 * body.product(0, 0, 1, 0);
-  if (now >= half_step_kinetic_) {
-    half_step_kinetic_ = now;
-    return;
-  }
-  const double before = kinetic().energy;
-  for (MovingBody& body : bodies_)
-    for (std::size_t i = 0; i < body.v.size(); ++i) body.v[i] = -0.5 * dt_ * body.inverse_mass[i] * body.f[i];
-  for (RigidBody& body : rigid_) {
-    body.velocity = body.spin = {};
-    body.start_from(1, dt_);
-  }
-  damping_loss_ += before - kinetic().energy;
-  half_step_kinetic_ = 0;
 }
 
 }  // namespace femsph

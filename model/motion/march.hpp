@@ -32,13 +32,26 @@ struct MovingBody {
     std::size_t load;   ///< index into Scene::loads
   };
   std::vector<NodalLoad> loads;
-  /// A held component that moves as its support says.
+  /// A held component whose points have inertia in the march: one that moves as its support says, or that its support stops at t = 0 (velocity 0).
+  /// It is a free component under its reaction, and the reaction is what makes it follow. Sorted by slot.
   struct Driven {
     std::size_t slot;
     double velocity;      ///< m/s at factor 1
-    std::size_t support;  ///< index into Scene::supports
+    std::size_t support;  ///< index into Scene::supports; any where the velocity is 0
+    double mass;          ///< kg
+    double start;         ///< m/s: what [[initial]] gives this point at t = 0
+    double before = 0, after = 0;  ///< m/s, at the half steps around now
+    double reaction = 0;  ///< N, now
   };
   std::vector<Driven> driven;
+  /// A held component and one of those that hold it (an index into Scene::holds()); once for each of them. Sorted.
+  struct Held {
+    std::size_t point;
+    int component;
+    std::size_t hold;
+    auto operator<=>(const Held&) const = default;
+  };
+  std::vector<Held> held;
   /// A component whose weighted mean over a place is held at zero: sum_i w_i u_i = 0, by the forces R w_i.
   struct MeanHold {
     std::vector<std::size_t> slots;
@@ -105,6 +118,12 @@ class March {
   double critical_step_without_contact() const { return critical_alone_; }
   long planned_steps() const;
   bool settled() const { return settled_; }
+  /// N: what all its supports together exert on a held component, now.
+  double reaction(const MovingBody& body, std::size_t slot) const;
+  /// m/s, at the whole step of now: the mean of the half steps around it.
+  double velocity(const MovingBody& body, std::size_t slot) const;
+  Point velocity(const RigidBody& body) const;  ///< of its centre
+  Point spin(const RigidBody& body) const;      ///< its angular momentum about the centre, kg m^2/s
   /// What the user should know, a sentence each: of the scene, of its discretizations, and of the march so far. Those known before the first
   /// step come first and stay.
   const std::vector<std::string>& warnings() const { return warnings_; }
@@ -135,7 +154,11 @@ class March {
   void hold_means(MovingBody& body);  ///< adds the reactions of mean supports to the forces
   void start_velocities();
   void forces();            ///< gradient, law, divergence of every body; then loads and gravity
-  void drive(MovingBody& body, double middle);  ///< moves the driven supports by the step about the time `middle`
+  /// Throws MotionError if there are none; `what` acts there.
+  std::vector<Weight> points_of(const MovingBody& body, const Place& place, const char* what) const;
+  void hold_and_drive(MovingBody& body, std::size_t index);  ///< march_supports.cpp: which components are held, and which of them move
+  void find_reactions();    ///< of driven components: what takes them from the last half step's velocity to the next one's
+  void drive(MovingBody& body);  ///< moves the driven components, after the kick
   void count_driven_work(); ///< half a step's work of the reactions there, at the forces of now
   /// The leap-frog over a time tau, damped: v+ = keep v- + push f/m.
   struct Leap {
@@ -148,18 +171,26 @@ class March {
   void change_step();         ///< from dt_ to next_dt_, at a whole step whose forces are known
   void kick_and_drift();    ///< v += dt f/m, u += dt v, with whichever damping is on
   void move_rigid_bodies();
+  void count_work_of_loads();  ///< and of gravity, over the step about the half step whose velocities are known
   void watch(bool last);    ///< now and then: is it still sound, has it settled, how strong should the damping be
   double allowance() const;
   void look_at_energy(const Ledger& l);
   void look_at_units();
   void settle(const Ledger& l);
+  void say_what_did_not_settle();
   double frequency_of_motion();
-  void stop_at_kinetic_peak();
+  // Kinetic damping: march_settling.cpp.
+  bool past_kinetic_peak() const;
+  void go_back_half_a_step();
+  void start_again_from_rest();
+  double work_of_the_step() const;  ///< half a step's work of all forces of now at the velocities of now, J
   /// What the march's energies are made of at a whole step: 1/2 v- . M v+, and half a step's loss to damping and viscosity at v-.
   struct Kinetic {
     double energy = 0, damping = 0, viscosity = 0;
   };
   Kinetic kinetic() const;
+  /// 1/8 (v+ - v-) . M (v+ - v-): what the kinetic energy at the whole step, 1/2 v . M v with v = (v- + v+)/2, has beyond Kinetic::energy.
+  double energy_of_half_a_kick() const;
   /// Axes normal to the body's symmetry planes: along these its other half pushes back.
   std::array<bool, 3> mirrored_axes(const MovingBody& body) const;
   template <class Take>
@@ -195,10 +226,20 @@ class March {
   long step_ = 0, watch_every_ = 1;
   double external_work_ = 0, external_passed_ = 0;  ///< the latter adds up the work of every step without its sign
   double created_ = 0;   ///< by laws that create energy, which say so: negative plastic work
-  double damping_loss_ = 0, viscous_loss_ = 0, initial_energy_ = 0;
+  double damping_loss_ = 0, viscous_loss_ = 0;
+  double initial_energy_ = 0;  ///< by the measure of kinetic()
+  double initial_whole_ = 0;   ///< with the kinetic energy at the whole step
   double start_damping_ = 0, start_viscosity_ = 0;  ///< the half-step losses at the first step, which belong before it
-  double half_step_kinetic_ = 0;  ///< of the last half step; kinetic damping only
-  double still_since_ = -1;       ///< s; below 0: still moving
+  bool going_back_ = false;       ///< kinetic damping: this step leads back to the last peak of the kinetic energy
+  double still_since_ = -1;       ///< s: at rest when last looked at; below 0: still moving
+  /// How far from rest at the last look, each as a share: unbalanced forces of the loads; the displacement that they can still make, and the
+  /// amplitude of what moves, of the displacement. All below the tolerance: settled.
+  struct Unrest {
+    double force = 1, displacement = 1, motion = 1;
+    bool loads_change = false;
+  };
+  Unrest unrest_;
+  double force_scale_ = 0;  ///< N: the largest forces so far, where nothing loads the bodies for good
   std::vector<std::string> warnings_;
   mutable Price price_;
   bool running_ = false;

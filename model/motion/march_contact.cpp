@@ -58,15 +58,11 @@ void March::find_critical_step() {
 
 void March::move_rigid_bodies() {
   const auto [keep, push] = leap(dt_);
-  const double now = time(), next = time_of(step_ + 1);
   for (RigidBody& body : rigid_) {
     const double before = body.product(keep, push, 1, 2);  // v-.v- + 2 v-.v+
     body.kick(keep, push);
     damping_loss_ += 0.25 * damping_rate_ * dt_ * (before + body.product(0, 0, 1, 0));
     body.drift(dt_);
-    for (const Load& load : scene_.loads)
-      if (load.place.body == body.index) external_work_ += 0.5 * (load.history.at(now) + load.history.at(next)) * dt_ * dot(load.force, body.velocity);
-    if (scene_.gravity) external_work_ += body.mass * dt_ * dot(*scene_.gravity, body.velocity);
   }
 }
 

@@ -49,6 +49,14 @@ March::March(const Scene& scene, std::vector<std::unique_ptr<Discretization>> bo
                                   scene.duration, scene.duration / dt_, dt_));
 }
 
+std::vector<Weight> March::points_of(const MovingBody& body, const Place& place, const char* what) const {
+  std::vector<Weight> points = body.discretization->points_of(place);
+  if (points.empty())
+    throw MotionError(fmt::format("{}:{}:{}: this {} finds no point of body \"{}\" ({}); use a finer spacing or another place", scene_.file,
+                                  place.source.line, place.source.column, what, body.name, body.discretization->describe()));
+  return points;
+}
+
 void March::place_supports_and_loads(MovingBody& body, std::size_t index) {
   const Discretization& d = *body.discretization;
   const Layout& at = d.layout();
@@ -60,34 +68,7 @@ void March::place_supports_and_loads(MovingBody& body, std::size_t index) {
       body.inverse_mass[at.at(i, c)] = 1 / d.mass()[i];
       if (!body.mass.empty()) body.mass[at.at(i, c)] = d.mass()[i];
     }
-  const auto points_of = [&](const Place& place, const char* what) {
-    const std::vector<Weight> points = d.points_of(place);
-    if (points.empty())
-      throw MotionError(fmt::format("{}:{}:{}: this {} finds no point of body \"{}\" ({}); use a finer spacing or another place", scene_.file,
-                                    place.source.line, place.source.column, what, body.name, d.describe()));
-    return points;
-  };
-  for (const Support& support : scene_.holds()) {
-    if (support.place.body != index || support.mean) continue;
-    for (const Weight& w : points_of(support.place, "support"))
-      for (int c = 0; c < at.dim; ++c)
-        if (support.fixed[c]) body.inverse_mass[at.at(w.point, c)] = 0;
-  }
-  for (std::size_t s = 0; s < scene_.supports.size(); ++s) {
-    const Support& support = scene_.supports[s];
-    if (support.place.body != index || support.velocity == Point{}) continue;
-    for (const Weight& w : points_of(support.place, "support"))
-      for (int c = 0; c < at.dim; ++c) {
-        if (support.velocity[c] == 0) continue;
-        const std::size_t slot = at.at(w.point, c);
-        for (const MovingBody::Driven& other : body.driven)
-          if (other.slot == slot)
-            throw MotionError(fmt::format("{}:{}:{}: two supports move a point of body \"{}\" along {}; keep their places apart", scene_.file,
-                                          support.place.source.line, support.place.source.column, body.name, "xyz"[c]));
-        body.driven.push_back({slot, support.velocity[c], s});
-        if (!body.mass.empty()) body.mass[slot] = 0;  // nor does damping hold it back
-      }
-  }
+  hold_and_drive(body, index);
   for (const InitialDisplacement& start : scene_.initial_displacements)
     if (start.body == index)
       for (std::size_t i = 0; i < at.points; ++i) {
@@ -95,15 +76,15 @@ void March::place_supports_and_loads(MovingBody& body, std::size_t index) {
         for (int c = 0; c < at.dim; ++c) body.u[at.at(i, c)] = u[c];
       }
   for (const Support& support : scene_.supports)
-    if (support.place.body == index && support.mean) place_mean_support(body, support, points_of(support.place, "support"));
+    if (support.place.body == index && support.mean) place_mean_support(body, support, points_of(body, support.place, "support"));
   for (std::size_t l = 0; l < scene_.loads.size(); ++l) {
     const Load& load = scene_.loads[l];
     if (load.place.body != index) continue;
     if (load.pressure != 0) {
-      place_pressure(body, l, points_of(load.place, "load"));
+      place_pressure(body, l, points_of(body, load.place, "load"));
       continue;
     }
-    for (const Weight& w : points_of(load.place, "load"))
+    for (const Weight& w : points_of(body, load.place, "load"))
       for (int c = 0; c < at.dim; ++c)
         if (load.force[c] != 0) body.loads.push_back({at.at(w.point, c), w.weight * load.force[c], l});
   }
@@ -146,6 +127,13 @@ void March::place_mean_support(MovingBody& body, const Support& support, const s
     for (const Weight& w : points) {
       const std::size_t slot = at.at(w.point, c);
       hold.inverse_mass += w.weight * w.weight * body.inverse_mass[slot];
+      for (const MovingBody::Driven& driven : body.driven)
+        if (driven.slot == slot && driven.velocity != 0) {
+          const Source& other = scene_.supports[driven.support].place.source;
+          throw InputError(scene_.file, {Fault{support.place.source.line, support.place.source.column,
+                                         fmt::format("this support holds the mean along {} of a place of body \"{}\" where the one at {}:{}:{} moves points; expected places that do not meet",
+                                                     "xyz"[c], body.name, scene_.file, other.line, other.column)}});
+        }
       if (body.inverse_mass[slot] == 0) continue;  // held by a support of its own
       for (const MovingBody::MeanHold& other : body.means)
         if (std::find(other.slots.begin(), other.slots.end(), slot) != other.slots.end())
@@ -183,6 +171,7 @@ void March::start_velocities() {
       const double force = body.viscous.empty() ? body.f[i] : body.f[i] + body.viscous[i];
       body.v[i] = (2 * body.v[i] - push * body.inverse_mass[i] * force) / (1 + keep);
     }
+  find_reactions();
   for (RigidBody& body : rigid_) {
     for (const InitialVelocity& start : scene_.initial_velocities)
       if (start.body == body.index) {
@@ -193,9 +182,11 @@ void March::start_velocities() {
   }
   const Kinetic k = kinetic();
   initial_energy_ = k.energy;
+  initial_whole_ = k.energy + energy_of_half_a_kick();
   if (!scene_.initial_displacements.empty()) {  // what bringing the bodies there has stored and dissipated
     const Ledger l = ledger();
     initial_energy_ += l.strain + l.hourglass + l.plastic;
+    initial_whole_ += l.strain + l.hourglass + l.plastic;
   }
   start_damping_ = k.damping;
   start_viscosity_ = k.viscosity;

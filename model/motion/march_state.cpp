@@ -32,7 +32,8 @@ void March::state(Archive& archive) {
   archive("settled", settled_);
   archive("damping_rate", damping_rate_);
   archive("still_since", still_since_);
-  archive("half_step_kinetic", half_step_kinetic_);
+  archive("going_back", going_back_);
+  archive("force_scale", force_scale_);
   archive.below("energy", [&] {
     archive("external", external_work_);
     archive("passed", external_passed_);
@@ -40,6 +41,7 @@ void March::state(Archive& archive) {
     archive("damping", damping_loss_);
     archive("viscosity", viscous_loss_);
     archive("initial", initial_energy_);
+    archive("initial_whole", initial_whole_);
     archive("start_damping", start_damping_);
     archive("start_viscosity", start_viscosity_);
   });

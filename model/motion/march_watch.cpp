@@ -1,4 +1,4 @@
-// What looks after a march: numbers, energy, units and the step; and settling.
+// What looks after a march: numbers, energy, units and the step.
 //
 // Every watch_every_ steps a glance, which reads velocities only; every eighth time, and at the end, a look at everything.
 
@@ -53,7 +53,7 @@ void March::watch(bool last) {
     look_at_units();
     if (keep_good_) good_.save(*this);
   }
-  if (scene_.settling && step_ % watch_every_ == 0) settle(l);
+  if (scene_.settling) settle(l);
 }
 
 /// What a sound march can hold as kinetic energy at a half step, or as stored energy: in the leap-frog a mode of frequency omega and energy E
@@ -120,27 +120,6 @@ void March::look_at_units() {
   for (const MovingBody& body : bodies_)
     if (const auto trouble = body.discretization->trouble(body.u.data()))
       fail(Stopped::Watch::unit, fmt::format("body \"{}\", at {}", body.name, in_metres(trouble->position)), trouble->what, trouble->advice);
-}
-
-/// Settled: for half a period of the slowest motion the kinetic energy has stayed below tolerance^2 of the strain energy, that is,
-/// what still moves has an amplitude below `tolerance` of the displacement.
-void March::settle(const Ledger& l) {
-  double inertia = 0;
-  for (const MovingBody& body : bodies_)
-    inertia += parallel_sum(body.u.size(), [&](std::size_t begin, std::size_t end) {
-      double s = 0;
-      for (std::size_t i = begin; i < end; ++i) s += body.mass[i] * body.u[i] * body.u[i];
-      return s;
-    });
-  for (const RigidBody& body : rigid_)
-    for (int c = 0; c < 3; ++c) inertia += body.mass * body.moved[c] * body.moved[c];
-  if (inertia == 0) return;
-  const double omega = std::sqrt(2 * (l.strain + l.hourglass) / inertia);  // Rayleigh quotient of the motion itself
-  if (adaptive_damping_) damping_rate_ = 2 * omega;                        // critical for the slowest mode
-  const double tolerated = scene_.settling->tolerance;
-  if (std::abs(l.kinetic) > tolerated * tolerated * (l.strain + l.hourglass)) still_since_ = -1;
-  else if (still_since_ < 0) still_since_ = time();
-  else if (time() - still_since_ > std::acos(-1.0) / omega) settled_ = true;
 }
 
 void March::keep_good_states() { keep_good_ = scene_.large_motion || scene_.is_plastic() || !contacts_.empty(); }

@@ -4,6 +4,8 @@
 
 #include <cmath>
 
+#include "model/motion/principal.hpp"
+
 namespace femsph {
 
 namespace {
@@ -25,6 +27,7 @@ std::vector<Weight> weights_at(const March& march, std::size_t body, Quantity qu
 
 std::vector<std::string> component_names(Quantity quantity, int dim) {
   if (scalar(quantity)) return {"equivalent"};
+  if (quantity == Quantity::principal_stress) return {"1", "2", "3"};
   if (on_material(quantity)) {
     if (dim == 2) return {"xx", "yy", "zz", "xy"};
     return {"xx", "yy", "zz", "xy", "yz", "zx"};
@@ -38,7 +41,8 @@ std::string unit_of(Quantity quantity) {
     case Quantity::displacement: return "m";
     case Quantity::velocity: return "m/s";
     case Quantity::stress:
-    case Quantity::equivalent_stress: return "Pa";
+    case Quantity::equivalent_stress:
+    case Quantity::principal_stress: return "Pa";
     case Quantity::strain:
     case Quantity::plastic_strain: break;
   }
@@ -47,29 +51,37 @@ std::string unit_of(Quantity quantity) {
 
 Recorder::Recorder(const March& march) {
   const Scene& scene = march.scene();
-  history_.add("time", "s");
+  const auto add = [&](const std::string& name, const std::string& unit) { add_column(scene, name, unit); };
+  add("time", "s");
   for (const Probe& probe : scene.probes) {
     probes_.push_back({probe.name, probe.body, probe.quantity, weights_at(march, probe.body, probe.quantity, probe.point)});
-    for (const std::string& c : component_names(probe.quantity, scene.dim())) history_.add(probe.name + "_" + c, unit_of(probe.quantity));
+    for (const std::string& c : component_names(probe.quantity, scene.dim())) add(probe.name + "_" + c, unit_of(probe.quantity));
   }
   for (const char* energy : {"kinetic_energy", "strain_energy", "hourglass_energy", "external_work", "damping_loss", "viscosity_loss"})
-    history_.add(energy, "J");
-  if (scene.is_plastic()) history_.add("plastic_work", "J");
-  const std::string axes = scene.dim() == 2 ? "xy" : "xyz";
+    add(energy, "J");
+  add("energy_imbalance", "J");
+  if (scene.is_plastic()) add("plastic_work", "J");
+  const std::string axes = scene.dim() == 2 ? "xy" : "xyz", turns = scene.dim() == 2 ? "z" : "xyz";
+  for (const char a : axes) add(fmt::format("momentum_{}", a), "kg m/s");
+  for (const char a : turns) add(fmt::format("angular_momentum_{}", a), "kg m^2/s");
   for (const RigidBody& body : march.rigid_bodies()) {
-    for (const char a : axes) history_.add(fmt::format("{}_{}", body.name, a), "m");
-    for (const char a : axes) history_.add(fmt::format("{}_v{}", body.name, a), "m/s");
-    if (scene.dim() == 2) history_.add(body.name + "_turn", "rad");
+    for (const char a : axes) add(fmt::format("{}_{}", body.name, a), "m");
+    for (const char a : axes) add(fmt::format("{}_v{}", body.name, a), "m/s");
+    if (scene.dim() == 2) add(body.name + "_turn", "rad");
   }
-  if (!scene.contacts.empty()) history_.add("contact_energy", "J"), history_.add("friction_loss", "J");
+  if (!scene.contacts.empty()) add("contact_energy", "J"), add("friction_loss", "J");
   for (const Contact& contact : scene.contacts)
-    for (const char a : axes) history_.add(fmt::format("contact_{}_force_{}", contact.name, a), "N");
-  for (const Support& support : scene.supports) {
-    if (support.name.empty()) continue;
-    reactions_.push_back({&support, {}});
-    for (const Weight& w : march.body(support.place.body).discretization->points_of(support.place)) reactions_.back().points.push_back(w.point);
-    for (const char a : axes) history_.add(fmt::format("support_{}_force_{}", support.name, a), "N");
-    for (const char a : scene.dim() == 2 ? std::string("z") : axes) history_.add(fmt::format("support_{}_moment_{}", support.name, a), "N m");
+    for (const char a : axes) add(fmt::format("contact_{}_force_{}", contact.name, a), "N");
+  const std::vector<Support> holds = scene.holds();
+  for (std::size_t h = 0; h < holds.size(); ++h) {
+    if (holds[h].mean || scene.bodies[holds[h].place.body].rigid) continue;
+    reactions_.push_back(reaction_of(march, h));
+    const std::string& name = holds[h].name;
+    if (name.empty()) continue;
+    reported_.push_back(reactions_.size() - 1);
+    for (const char a : axes) add(fmt::format("support_{}_force_{}", name, a), "N");
+    for (const char a : turns) add(fmt::format("support_{}_moment_{}", name, a), "N m");
+    for (const char a : axes) add(fmt::format("support_{}_centroid_{}", name, a), "m");
   }
   for (const Section& section : scene.sections) {
     Line line{&section, {}, {}};
@@ -87,6 +99,13 @@ Recorder::Recorder(const March& march) {
   }
 }
 
+/// Names of probes, rigid bodies and supports may meet in a column: "support_foot_force" and "foot".
+void Recorder::add_column(const Scene& scene, const std::string& name, const std::string& unit) {
+  if (history_.has(name))
+    throw InputError(scene.file, {Fault{0, 0, fmt::format("the history would have two columns \"{}\"; expected another name for the probe, rigid body or support that gives one of them", name)}});
+  history_.add(name, unit);
+}
+
 std::vector<double> Recorder::read(const March& march, const Reading& reading) const {
   const MovingBody& body = march.body(reading.body);
   const Discretization& d = *body.discretization;
@@ -101,6 +120,13 @@ std::vector<double> Recorder::read(const March& march, const Reading& reading) c
       for (std::size_t k = 0; k < points.size(); ++k) value += reading.weights[k].weight * scalar_of(state, reading.quantity, k);
       return {value};
     }
+    if (reading.quantity == Quantity::principal_stress) {  // of the stress that "stress" gives there
+      std::array<double, 6> stress{};
+      for (std::size_t k = 0; k < points.size(); ++k)
+        for (std::size_t c = 0; c < 6; ++c) stress[c] += reading.weights[k].weight * state.stress[k][c];
+      const std::array<double, 3> principal = principal_values(stress);
+      return {principal.begin(), principal.end()};
+    }
     const auto& values = reading.quantity == Quantity::stress ? state.stress : state.strain;
     std::vector<double> out(dim == 2 ? 4 : 6, 0.0);
     for (std::size_t k = 0; k < points.size(); ++k)
@@ -112,9 +138,7 @@ std::vector<double> Recorder::read(const March& march, const Reading& reading) c
   for (const Weight& w : reading.weights)
     for (int c = 0; c < dim; ++c) {
       const std::size_t slot = at.at(w.point, c);
-      // Velocity at the whole step: the last half step's and half a kick.
-      out[c] += w.weight * (reading.quantity == Quantity::displacement ? body.u[slot]
-                                                                       : body.v[slot] + 0.5 * march.dt() * body.inverse_mass[slot] * body.f[slot]);
+      out[c] += w.weight * (reading.quantity == Quantity::displacement ? body.u[slot] : march.velocity(body, slot));
     }
   return out;
 }
@@ -126,55 +150,38 @@ void Recorder::sample(const March& march) {
   for (const Reading& probe : probes_)
     for (double value : read(march, probe)) put(value);
   const Ledger l = march.ledger();
-  for (double energy : {l.kinetic, l.strain, l.hourglass, l.external, l.damping, l.viscosity}) put(energy);
+  for (double energy : {l.kinetic, l.strain, l.hourglass, l.external, l.damping, l.viscosity, l.imbalance()}) put(energy);
   if (march.scene().is_plastic()) put(l.plastic);
-  const int dim = march.scene().dim();
+  const int dim = march.scene().dim(), turn = dim == 2 ? 2 : 0;
+  const Momentum p = momentum(march);
+  for (int c = 0; c < dim; ++c) put(p.linear[c]);
+  for (int c = turn; c < 3; ++c) put(p.angular[c]);
   for (const RigidBody& body : march.rigid_bodies()) {
     for (int c = 0; c < dim; ++c) put(body.centre()[c]);
-    for (int c = 0; c < dim; ++c) put(body.velocity_now(march.dt())[c]);
+    for (int c = 0; c < dim; ++c) put(march.velocity(body)[c]);
     if (dim == 2) put(body.angle);
   }
   if (!march.scene().contacts.empty()) put(l.contact), put(l.friction);
   for (const Point& force : march.contact_forces())
     for (int c = 0; c < dim; ++c) put(force[c]);
-  for (const Reaction& at : reactions_) {
-    const auto [force, moment] = reaction(march, at);
+  for (const std::size_t k : reported_) {
+    const auto [force, moment] = reactions_[k].resultant(march);
+    const Point centroid = reactions_[k].centroid(march);
     for (int c = 0; c < dim; ++c) put(force[c]);
-    for (int c = dim == 2 ? 2 : 0; c < 3; ++c) put(moment[c]);
+    for (int c = turn; c < 3; ++c) put(moment[c]);
+    for (int c = 0; c < dim; ++c) put(centroid[c]);
   }
-}
-
-/// The reaction balances every other force on a held component, which has no inertia of its own in the march.
-std::array<Point, 2> Recorder::reaction(const March& march, const Reaction& at) const {
-  const MovingBody& body = march.body(at.support->place.body);
-  const Layout& layout = body.discretization->layout();
-  const auto place = [&](std::size_t i) {
-    Point x = body.discretization->position(i);
-    for (int c = 0; c < layout.dim; ++c) x[c] += body.u[layout.at(i, c)];
-    return x;
-  };
-  Point middle{};
-  for (const std::size_t i : at.points)
-    for (int c = 0; c < layout.dim; ++c) middle[c] += place(i)[c] / double(at.points.size());
-  std::array<Point, 2> sum{};
-  for (const std::size_t i : at.points) {
-    Point f{}, arm = place(i);
-    for (int c = 0; c < layout.dim; ++c) {
-      const std::size_t slot = layout.at(i, c);
-      if (at.support->fixed[c]) f[c] = -body.f[slot] - (body.viscous.empty() ? 0.0 : body.viscous[slot]);
-      arm[c] -= middle[c];
-    }
-    for (int c = 0; c < 3; ++c) {
-      const int a = (c + 1) % 3, b = (c + 2) % 3;
-      sum[0][c] += f[c];
-      sum[1][c] += arm[a] * f[b] - arm[b] * f[a];
-    }
-  }
-  return sum;
+  const Balance now = femsph::balance(march, reactions_);
+  balance_.force = std::max(balance_.force, now.force);
+  balance_.moment = std::max(balance_.moment, now.moment);
 }
 
 void Recorder::state(Archive& archive) {
   for (Column& column : history_.columns) archive(column.name, column.values);
+  archive.below("balance", [&] {
+    archive("force", balance_.force);
+    archive("moment", balance_.moment);
+  });
 }
 
 std::map<std::string, Profile> Recorder::profiles(const March& march) const {

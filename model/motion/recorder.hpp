@@ -5,12 +5,13 @@
 #include <string>
 #include <vector>
 
-#include "model/motion/march.hpp"
+#include "model/motion/balance.hpp"
 #include "model/results/history.hpp"
 
 namespace femsph {
 
-/// Names of the components of a quantity: x y z, or xx yy zz xy yz zx, or "equivalent" of a scalar; z drops out of 2D vectors, yz zx out of 2D tensors.
+/// Names of the components of a quantity: x y z, or xx yy zz xy yz zx, or "equivalent" of a scalar, or 1 2 3 of principal stresses; z drops out of 2D vectors,
+/// yz zx out of 2D tensors.
 std::vector<std::string> component_names(Quantity quantity, int dim);
 std::string unit_of(Quantity quantity);
 
@@ -19,10 +20,12 @@ class Recorder {
   /// Finds the weights of every probe and section point once.
   explicit Recorder(const March& march);
 
-  /// One row of the history: time, every probe's components (NAME_x, ..), energies in J, rigid bodies, contacts, reactions.
+  /// One row of the history: time, every probe's components (NAME_x, ..), energies in J, momenta, rigid bodies, contacts, reactions.
   void sample(const March& march);
   const History& history() const { return history_; }
   void state(Archive& archive);  ///< the rows so far
+  /// The worst of all samples so far.
+  const Balance& balance() const { return balance_; }
   /// Every section of the scene as it is now, by name.
   std::map<std::string, Profile> profiles(const March& march) const;
 
@@ -42,13 +45,10 @@ class Recorder {
     std::vector<Reading> points;
   };
   std::vector<Line> lines_;
-  struct Reaction {
-    const Support* support;
-    std::vector<std::size_t> points;
-  };
-  /// Force (N) of the support on its body, and its moment (N m) about the mean place of the points it holds now; x, y, z.
-  std::array<Point, 2> reaction(const March& march, const Reaction& at) const;
-  std::vector<Reaction> reactions_;
+  void add_column(const Scene& scene, const std::string& name, const std::string& unit);
+  std::vector<Reaction> reactions_;   ///< of all that hold
+  std::vector<std::size_t> reported_; ///< which of them have a name
+  Balance balance_;
   History history_;
 };
 

@@ -105,11 +105,22 @@ void RigidBody::start_from(double keep, double push) {
   }
 }
 
-Point RigidBody::velocity_now(double dt) const {
-  Point v = velocity;
-  for (int c = 0; c < 3; ++c)
-    if (!held[c]) v[c] += 0.5 * dt * force[c] / mass;
-  return v;
+std::array<Point, 2> RigidBody::half_way(double keep, double push) const {
+  std::array<Point, 2> now{velocity, spin};
+  for (int c = 0; c < 3; ++c) {
+    now[0][c] = held[c] ? 0 : 0.5 * ((1 + keep) * velocity[c] + push * force[c] / mass);
+    now[1][c] = held_turn[c] ? 0 : 0.5 * ((1 + keep) * spin[c] + push * moment[c]);
+  }
+  return now;
+}
+
+double RigidBody::energy_of_kick(double keep, double push) const {
+  Point v{}, s{};
+  for (int c = 0; c < 3; ++c) {
+    v[c] = held[c] ? 0 : (keep - 1) * velocity[c] + push * force[c] / mass;
+    s[c] = held_turn[c] ? 0 : (keep - 1) * spin[c] + push * moment[c];
+  }
+  return mass * dot(v, v) + dot(rate_of(s), s);
 }
 
 namespace {

@@ -56,7 +56,10 @@ struct RigidBody {
   /// From velocity and spin at the start to those half a step before (see March::start_velocities).
   void start_from(double keep, double push);
   void state(Archive& archive);
-  Point velocity_now(double dt) const;  ///< of the centre at the whole step
+  /// Velocity of the centre and angular momentum about it at the whole step: the means of the half steps around it.
+  std::array<Point, 2> half_way(double keep, double push) const;
+  /// m |v+ - v-|^2, and of the turning likewise.
+  double energy_of_kick(double keep, double push) const;
   /// m v-.v + omega-.L with v = before v- + after v+, and L likewise: twice a kinetic energy.
   double product(double keep, double push, double before, double after) const;
 };

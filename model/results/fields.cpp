@@ -10,6 +10,7 @@
 #include <optional>
 #include <stdexcept>
 
+#include "model/motion/principal.hpp"
 #include "model/numerics/parallel.hpp"
 #include "model/results/hdf5.hpp"
 #include "model/results/whole_file.hpp"
@@ -51,7 +52,7 @@ std::vector<long long> connectivity(const Topology& topology, const xdmf::Body& 
 constexpr std::array<int, 9> full{0, 3, 5, 3, 1, 4, 5, 4, 2};
 
 struct CellFields {
-  std::vector<double> stress, strain, equivalent, plastic;  ///< plastic: empty when the law has none
+  std::vector<double> stress, strain, equivalent, principal, plastic;  ///< plastic: empty when the law has none
 };
 
 /// a b + c as the compiler contracts such a sum where the processor can: said outright, since how it unrolls the loop around must not change the bits.
@@ -88,6 +89,7 @@ class Means {
     out.stress.resize(9 * cells);
     out.strain.resize(9 * cells);
     out.equivalent.resize(cells);
+    out.principal.resize(3 * cells);
     state_.plastic.clear();
     for (std::size_t first = 0; first < cells; first += at_once) {
       const std::size_t count = std::min(at_once, cells - first);
@@ -119,6 +121,8 @@ class Means {
     std::copy_n(stress, 9, &out.stress[9 * cell]);
     std::copy_n(strain, 9, &out.strain[9 * cell]);
     out.equivalent[cell] = equivalent;
+    const std::array<double, 3> principal = principal_values({stress[0], stress[4], stress[8], stress[1], stress[5], stress[2]});  // of the mean
+    std::copy(principal.begin(), principal.end(), &out.principal[3 * cell]);
     if (!state_.plastic.empty()) out.plastic[cell] = plastic;
   }
 
@@ -222,6 +226,7 @@ void FieldWriter::snapshot(std::size_t body, long step, double time, const doubl
   image.dataset(group + "/stress", means.stress, {cells, 9});
   image.dataset(group + "/strain", means.strain, {cells, 9});
   image.dataset(group + "/equivalent_stress", means.equivalent, {cells, 1});
+  image.dataset(group + "/principal_stress", means.principal, {cells, 3});
   impl_->bodies[body].plastic = !means.plastic.empty();
   if (impl_->bodies[body].plastic) image.dataset(group + "/plastic_strain", means.plastic, {cells, 1});
   impl_->frame.bodies.push_back(body);

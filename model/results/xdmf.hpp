@@ -18,11 +18,12 @@ struct Field {
 
 /// Tensors have nine components although six would do: XDMF's Tensor6 (xx xy xz yy yz zz) is taken for VTK's order
 /// (xx yy zz xy yz xz) by one of ParaView's readers and expanded correctly by another.
-inline constexpr std::array<Field, 5> fields{{{"displacement", "Vector", 3, true},
+inline constexpr std::array<Field, 6> fields{{{"displacement", "Vector", 3, true},
                                               {"velocity", "Vector", 3, true},
                                               {"stress", "Tensor", 9, false},
                                               {"strain", "Tensor", 9, false},
-                                              {"equivalent_stress", "Scalar", 1, false}}};
+                                              {"equivalent_stress", "Scalar", 1, false},
+                                              {"principal_stress", "Vector", 3, false}}};  // the largest first
 
 inline constexpr Field plastic_strain{"plastic_strain", "Scalar", 1, false};  ///< equivalent; of bodies whose law has it
 

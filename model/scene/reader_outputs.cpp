@@ -17,7 +17,8 @@ std::optional<Quantity> read_observed(Fields& fields) {
                                   {"stress", Quantity::stress},
                                   {"strain", Quantity::strain},
                                   {"plastic_strain", Quantity::plastic_strain},
-                                  {"equivalent_stress", Quantity::equivalent_stress}});
+                                  {"equivalent_stress", Quantity::equivalent_stress},
+                                  {"principal_stress", Quantity::principal_stress}});
 }
 
 bool taken(const std::string& name, const Scene& scene) {

@@ -99,7 +99,7 @@ TEST(Fields, EveryPathInTheXdmfExists) {
     writer.commit();
   }
   const std::string xml = read(folder / "fields.xdmf");
-  EXPECT_EQ(expect_items_exist(folder, xml), 2u * 2u * 7u);  // frames x bodies x (cells, points, five fields)
+  EXPECT_EQ(expect_items_exist(folder, xml), 2u * 2u * 8u);  // frames x bodies x (cells, points, six fields)
   EXPECT_EQ(count(xml, "<DataItem"), 28u);
   EXPECT_EQ(count(xml, "Center=\"Cell\""), 2u * 3u);
   EXPECT_EQ(count(xml, "<Time Value=\"0.7000000000000001\"/>"), 3u);  // 0.1 * 7 to the last bit
@@ -196,7 +196,7 @@ TEST(Fields, WhatFailedLaterIsTold) {
   std::filesystem::remove(folder / "fields/000001.h5");
   snapshot(writer, 0, mesh, 2, 0.2);  // takes the place of what was lost
   writer.commit();
-  EXPECT_EQ(expect_items_exist(folder, read(folder / "fields.xdmf")), 2u * 7u);
+  EXPECT_EQ(expect_items_exist(folder, read(folder / "fields.xdmf")), 2u * 8u);
 }
 
 TEST(Fields, AnEarlierRunIsGoneAndNothingElse) {
