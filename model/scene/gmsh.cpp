@@ -143,7 +143,7 @@ CellMesh read_here(const std::string& file, int dim, double unit) {
     const MshFacts facts = scan_msh(file, [](int type) { return corners_of(type); });
     gmsh::open(file);
     require_nothing_lost(facts, file);
-    Vertices vertices(unit);
+    Vertices vertices(unit, file);
     read_cells(mesh, vertices, facts, file);
     read_groups(mesh, vertices, facts, file);
   } catch (const std::runtime_error&) {

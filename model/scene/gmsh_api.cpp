@@ -52,7 +52,7 @@ ElementType properties_of(int type) {
 std::string type_name(int type) { return in_quotes(properties_of(type).name); }
 int corners_of(int type) { return properties_of(type).nodes; }
 
-Vertices::Vertices(double unit) {
+Vertices::Vertices(double unit, const std::string& file) : file_(file) {
   std::vector<std::size_t> tags;
   std::vector<double> x, parametric;
   gmsh::model::mesh::getNodes(tags, x, parametric, -1, -1, false, false);
@@ -61,7 +61,7 @@ Vertices::Vertices(double unit) {
 
 int Vertices::use(std::size_t tag, CellMesh& mesh) {
   const auto place = place_.find(tag);
-  if (place == place_.end()) throw std::runtime_error(fmt::format("a cell uses vertex {}, which the file does not hold", tag));
+  if (place == place_.end()) throw std::runtime_error(fmt::format("a cell of {} uses vertex {}, which the file does not hold; expected a mesh saved by Gmsh", in_quotes(file_), tag));
   const auto [number, is_new] = number_.try_emplace(tag, int(mesh.vertices.size()));
   if (is_new) mesh.vertices.push_back(place->second), mesh.vertex_numbers.push_back(tag);
   return number->second;

@@ -36,11 +36,12 @@ int corners_of(int type);
 /// Gives vertices their numbers in the order of first use: unused ones are dropped.
 class Vertices {
  public:
-  explicit Vertices(double unit);
+  Vertices(double unit, const std::string& file);
   int use(std::size_t tag, CellMesh& mesh);
   int used(std::size_t tag) const;  ///< -1: by no cell
 
  private:
+  const std::string& file_;
   std::unordered_map<std::size_t, Point> place_;
   std::unordered_map<std::size_t, int> number_;
 };

@@ -18,7 +18,7 @@ namespace femsph::gmsh_reader {
 namespace {
 
 const char* kind_of(int dim, int mesh_dim) {
-  if (dim == mesh_dim) return mesh_dim == 2 ? "faces, the cells" : "volumes, the cells";
+  if (dim == mesh_dim) return "cells";
   return dim == 0 ? "points" : dim == 1 ? "lines" : "faces";
 }
 
@@ -28,7 +28,7 @@ struct Group {
   std::vector<CellMesh::Facet> facets;  // of sides only
   std::vector<std::size_t> numbers;     // of the elements they come from
   std::string fault;                    // why a place cannot use it
-  std::string name() const { return std::to_string(tag); }
+  std::string number() const { return std::to_string(tag); }
 };
 
 std::string text_of(const Group& group, const std::string& file) { return fmt::format("physical group {} of {}", group.tag, in_quotes(file)); }
@@ -99,7 +99,7 @@ std::vector<Group> read_all(const CellMesh& mesh, const Vertices& vertices, cons
     group.dim = dim, group.tag = tag;
     group.known = std::find(pairs.begin(), pairs.end(), std::pair(dim, tag)) != pairs.end();
     if (dim != mesh.dim - 1)
-      group.fault = fmt::format("{} is one of {}; expected a group of {}", text_of(group, file), kind_of(dim, mesh.dim), kind_of(mesh.dim - 1, mesh.dim));
+      group.fault = fmt::format("{} holds {} and no sides of cells; expected a group of {}", text_of(group, file), kind_of(dim, mesh.dim), kind_of(mesh.dim - 1, mesh.dim));
     groups.push_back(std::move(group));
   }
   read_facets(groups, mesh, vertices, facts, file);
@@ -133,7 +133,7 @@ std::string list_of(const std::set<int>& meanings, const std::vector<Group>& gro
   std::string text;
   std::size_t left = meanings.size();
   for (const int g : meanings) {
-    text += fmt::format("{} (of {})", groups[g].tag, kind_of(groups[g].dim, dim));
+    text += fmt::format("{} ({})", groups[g].tag, kind_of(groups[g].dim, dim));
     if (--left) text += left == 1 ? " and " : ", ";
   }
   return text;
@@ -150,7 +150,7 @@ void read_groups(CellMesh& mesh, const Vertices& vertices, const MshFacts& facts
     for (const auto& line : facts.names)
       if (line.dim == groups[g].dim && line.tag == groups[g].tag && !line.text.empty()) names.insert(line.text), meanings[line.text].insert(g);
     if (names.size() == 1) name[g] = *names.begin();
-    if (groups[g].dim == mesh.dim - 1) meanings[groups[g].name()].insert(g);
+    if (groups[g].dim == mesh.dim - 1) meanings[groups[g].number()].insert(g);
     for (const std::string& word : names)
       if (names.size() > 1)
         mesh.vain_words.emplace_back(word, fmt::format("{} is one of several names of {}; expected its number, \"{}\"", in_quotes(word),
@@ -170,8 +170,12 @@ void read_groups(CellMesh& mesh, const Vertices& vertices, const MshFacts& facts
                                                      word == "all" ? "the whole body" : "a side of the bounding box", in_quotes(file),
                                                      list_of(of, groups, mesh.dim)));
     } else if (of.size() > 1) {
-      mesh.vain_words.emplace_back(word, fmt::format("{} means physical groups {} of {}; expected a number of one, or names that differ", in_quotes(word),
-                                                     list_of(of, groups, mesh.dim), in_quotes(file)));
+      std::vector<std::string> numbers;
+      for (const int g : of)
+        if (groups[g].dim == mesh.dim - 1) numbers.push_back(groups[g].number());
+      mesh.vain_words.emplace_back(word, fmt::format("{} means physical groups {} of {}; expected {}names that differ", in_quotes(word),
+                                                     list_of(of, groups, mesh.dim), in_quotes(file),
+                                                     numbers.empty() ? "" : fmt::format("the number of a group of {}, {}, or ", kind_of(mesh.dim - 1, mesh.dim), one_of(numbers))));
     } else if (!first.fault.empty()) {
       mesh.vain_words.emplace_back(word, first.fault);
     } else {
@@ -179,12 +183,12 @@ void read_groups(CellMesh& mesh, const Vertices& vertices, const MshFacts& facts
     }
   }
   for (int g = 0; g < int(groups.size()); ++g) {
-    const bool by_name = !name[g].empty() && meant.count(name[g]), by_number = meant.count(groups[g].name()) && meant[groups[g].name()] == g;
+    const bool by_name = !name[g].empty() && meant.count(name[g]), by_number = meant.count(groups[g].number()) && meant[groups[g].number()] == g;
     if (groups[g].dim != mesh.dim - 1 || (!by_name && !by_number)) continue;
     const int index = int(mesh.groups.size());
-    mesh.groups.push_back(by_name ? name[g] : groups[g].name());
+    mesh.groups.push_back(by_name ? name[g] : groups[g].number());
     if (by_name) mesh.group_words.emplace_back(name[g], index);
-    if (by_number && name[g] != groups[g].name()) mesh.group_words.emplace_back(groups[g].name(), index);
+    if (by_number && name[g] != groups[g].number()) mesh.group_words.emplace_back(groups[g].number(), index);
     std::set<SideKey> seen;  // a file may list a facet once for each group that it is in
     for (CellMesh::Facet facet : groups[g].facets) {
       facet.group = index;
