@@ -121,7 +121,7 @@ std::optional<Trouble> ExplicitFem::trouble(const double* u) const {
   const std::size_t cell = cell_of(worst.cell);
   char share[32];
   std::snprintf(share, sizeof share, "%.3g", 1 - worst.value);
-  return Trouble{"cell " + std::to_string(cell) + " has turned inside out: at one of its points the volume is " + share + " times what it was",
+  return Trouble{mesh_.cell_name(cell) + " has turned inside out: at one of its points the volume is " + share + " times what it was",
                  "the mesh is crushed or tangled there, more than its cells can follow: try other divisions there, a gentler load, or a method of SPH",
                  centre_now(cell, u)};
 }
@@ -134,7 +134,7 @@ std::optional<Stiffening> ExplicitFem::stiffening(const double* u) const {
           const bool centre = element_ == Element::one_point;
           const Largest most = mesh_.dim == 2 ? stiffest_cell<2>(mesh_, batches_, u, centre, law) : stiffest_cell<3>(mesh_, batches_, u, centre, law);
           const std::size_t cell = cell_of(most.cell);
-          return Stiffening{most.value, "cell " + std::to_string(cell), centre_now(cell, u)};
+          return Stiffening{most.value, mesh_.cell_name(cell), centre_now(cell, u)};
         }
       },
       law_);

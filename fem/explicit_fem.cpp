@@ -36,7 +36,7 @@ Mesh checked_mesh(const Scene& scene, const Shape& shape, const Options& options
     for (int q = 0; q < mesh.corners(); ++q)
       if (!(jacobian(mesh, c, q) > 0)) {
         const Point p = map_point(mesh, c, {});
-        throw Refusal("a cell at (" + std::to_string(p[0]) + ", " + std::to_string(p[1]) + ", " + std::to_string(p[2]) +
+        throw Refusal((mesh.cell_numbers.empty() ? "a cell" : mesh.cell_name(c)) + " at (" + std::to_string(p[0]) + ", " + std::to_string(p[1]) + ", " + std::to_string(p[2]) +
                                  ") m is folded: its volume is not positive everywhere");
       }
   return mesh;
@@ -96,7 +96,7 @@ std::string ExplicitFem::describe() const {
 }
 
 std::size_t ExplicitFem::bytes() const {
-  return sizeof(double) * (mesh_.nodes.capacity() + mass_.capacity()) + sizeof(int) * (mesh_.cells.capacity() + mesh_.vertex.capacity()) +
+  return sizeof(double) * (mesh_.nodes.capacity() + mass_.capacity()) + sizeof(std::size_t) * mesh_.cell_numbers.capacity() + sizeof(int) * (mesh_.cells.capacity() + mesh_.vertex.capacity()) +
          batches_.bytes() + locator_.bytes() + loop_->bytes() + bars_.bytes();
 }
 

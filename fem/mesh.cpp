@@ -105,7 +105,9 @@ Mesh plain_mesh(const dealii::Triangulation<dim>& triangulation, const Shape& sh
   Mesh mesh;
   mesh.dim = dim;
   std::vector<int> node(triangulation.n_vertices(), -1);
-  for (const std::size_t c : compact_order(centres, shape.lower(), size, dim))
+  const CellMesh* own = shape.cells();  // deal.II keeps the order of the cells that it is given
+  for (const std::size_t c : compact_order(centres, shape.lower(), size, dim)) {
+    if (own && !own->cell_numbers.empty()) mesh.cell_numbers.push_back(own->cell_numbers[c]);
     for (const int v : cells[c]) {
       if (node[v] < 0) {
         node[v] = static_cast<int>(mesh.vertex.size());
@@ -114,6 +116,7 @@ Mesh plain_mesh(const dealii::Triangulation<dim>& triangulation, const Shape& sh
       }
       mesh.cells.push_back(node[v]);
     }
+  }
   return mesh;
 }
 

@@ -2,6 +2,7 @@
 // The plain mesh that the element loops work on. deal.II makes it (mesh.cpp); this header does not show it.
 
 #include <array>
+#include <string>
 #include <vector>
 
 #include "model/scene/shape.hpp"
@@ -18,10 +19,13 @@ struct Mesh {
   std::vector<double> nodes;  ///< m, interleaved: node * dim + component
   std::vector<int> cells;     ///< 2^dim nodes per cell, lexicographic; cells and nodes ordered so that neighbours are near in memory
   std::vector<int> vertex;    ///< node -> vertex of the triangulation it came from
+  std::vector<std::size_t> cell_numbers;  ///< those of the mesh file; empty: the body comes with no cells of its own
 
   int corners() const { return 1 << dim; }
   std::size_t node_count() const { return nodes.size() / static_cast<std::size_t>(dim); }
   std::size_t cell_count() const { return cells.size() / static_cast<std::size_t>(corners()); }
+  /// "cell 12", for messages: by its number in the mesh file, if there is one.
+  std::string cell_name(std::size_t c) const { return "cell " + std::to_string(cell_numbers.empty() ? c : cell_numbers[c]); }
   const int* cell(std::size_t c) const { return cells.data() + c * static_cast<std::size_t>(corners()); }
   Point node(std::size_t i) const {
     const double* x = nodes.data() + i * static_cast<std::size_t>(dim);

@@ -30,7 +30,7 @@ class Lump {
           mesh.cells.push_back(cell);
         }
   }
-  CellMesh mesh{3, {}, {}, {}, {}};
+  CellMesh mesh{3, {}, {}, {}, {}, {}, {}, {}, {}};
 
  private:
   int vertex(const Point& p) {

@@ -6,8 +6,8 @@
 #include <gmsh.h>
 
 #include <algorithm>
+#include <cctype>
 #include <cmath>
-#include <cstring>
 #include <filesystem>
 #include <fstream>
 #include <stdexcept>
@@ -15,81 +15,14 @@
 
 #include "model/scene/child.hpp"
 #include "model/scene/faults.hpp"
-#include "model/scene/multilinear.hpp"
-#include "model/scene/shape.hpp"
+#include "model/scene/gmsh_api.hpp"
+#include "model/scene/mesh_bytes.hpp"
+#include "model/scene/mesh_check.hpp"
 
 namespace femsph {
 namespace {
 
-constexpr int gmsh_line = 1, gmsh_quad = 3, gmsh_hex = 5;
-// Place of Gmsh's vertices, which go around a face, in lexicographic order.
-constexpr std::array<int, 8> around_to_lexicographic = {0, 1, 3, 2, 4, 5, 7, 6};
-
-// Gmsh is one global state: open it, keep it silent, and close it again.
-class GmshSession {
- public:
-  GmshSession() {
-    gmsh::initialize(0, nullptr, false);
-    gmsh::option::setNumber("General.Terminal", 0);
-  }
-  ~GmshSession() {
-    try {
-      gmsh::finalize();
-    } catch (...) {  // nothing to save: the mesh has been copied, or is being refused
-    }
-  }
-  GmshSession(const GmshSession&) = delete;
-  GmshSession& operator=(const GmshSession&) = delete;
-};
-
-struct Block {
-  int type;
-  std::vector<std::size_t> nodes;
-};
-
-std::vector<Block> elements(int dim, int entity = -1) {
-  std::vector<int> types;
-  std::vector<std::vector<std::size_t>> tags, nodes;
-  gmsh::model::mesh::getElements(types, tags, nodes, dim, entity);
-  std::vector<Block> blocks;
-  for (std::size_t i = 0; i < types.size(); ++i)
-    if (!nodes[i].empty()) blocks.push_back({types[i], std::move(nodes[i])});
-  return blocks;
-}
-
-std::string type_name(int type) {
-  std::string name;
-  int dim, order, nodes, primary;
-  std::vector<double> coordinates;
-  gmsh::model::mesh::getElementProperties(type, name, dim, order, nodes, coordinates, primary);
-  return in_quotes(name);
-}
-
-// Gives vertices their numbers in the order of first use: unused ones are dropped.
-class Vertices {
- public:
-  explicit Vertices(double unit) {
-    std::vector<std::size_t> tags;
-    std::vector<double> x, parametric;
-    gmsh::model::mesh::getNodes(tags, x, parametric, -1, -1, false, false);
-    for (std::size_t i = 0; i < tags.size(); ++i) place_[tags[i]] = {x[3 * i] * unit, x[3 * i + 1] * unit, x[3 * i + 2] * unit};
-  }
-  int use(std::size_t tag, CellMesh& mesh) {
-    const auto place = place_.find(tag);
-    if (place == place_.end()) throw std::runtime_error(fmt::format("a cell uses vertex {}, which the file does not hold", tag));
-    const auto [number, is_new] = number_.try_emplace(tag, int(mesh.vertices.size()));
-    if (is_new) mesh.vertices.push_back(place->second);
-    return number->second;
-  }
-  int used(std::size_t tag) const {
-    const auto number = number_.find(tag);
-    return number == number_.end() ? -1 : number->second;
-  }
-
- private:
-  std::unordered_map<std::size_t, Point> place_;
-  std::unordered_map<std::size_t, int> number_;
-};
+using namespace gmsh_reader;
 
 void require_cells_of_one_kind(const std::vector<Block>& blocks, int dim, const std::string& file) {
   const std::string expected = dim == 2 ? "linear quadrilaterals (in Gmsh: Recombine Surface, first order)"
@@ -123,83 +56,68 @@ void flatten(CellMesh& mesh, const std::string& file) {
   }
 }
 
-// Turns mirrored cells (clockwise, or with the top below the bottom) and refuses folded ones: there the map from the
-// reference cell has no inverse, and the shape functions no gradient.
-void orient(CellMesh& mesh, std::array<int, 8>& cell, std::size_t number, const std::string& file) {
-  Patch patch{mesh.dim, {}};
-  const auto place_corners = [&] {
-    for (int v = 0; v < patch.corner_count(); ++v) patch.corners[v] = mesh.vertices[cell[v]];
-  };
-  place_corners();
-  if (measure(patch) < 0) {
-    if (mesh.dim == 2)
-      std::swap(cell[1], cell[2]);
-    else
-      std::swap_ranges(cell.begin(), cell.begin() + 4, cell.begin() + 4);
-    place_corners();
+// Versions 1 and 2 list a cell once for each physical group that it is in, with a number each time: those count once. Whatever else uses the same
+// vertices a second time is a mistake whose meaning nobody knows.
+void drop_repeated_cells(CellMesh& mesh, const MshFacts& facts, const std::string& file) {
+  std::unordered_map<std::size_t, int> group;
+  for (std::size_t i = 0; i < facts.groups.size(); ++i) group[facts.numbers[i]] = facts.groups[i];
+  std::vector<std::pair<std::array<int, 8>, int>> sorted;
+  for (std::size_t c = 0; c < mesh.cells.size(); ++c) {
+    sorted.emplace_back(mesh.cells[c], int(c));
+    std::sort(sorted.back().first.begin(), sorted.back().first.end());
   }
-  if (!(smallest_corner_jacobian(patch) > 0))
-    throw std::runtime_error(
-        fmt::format("cell {} of {} is folded or flat (its Jacobian is not positive at every corner); expected convex cells", number + 1,
-                    in_quotes(file)));
+  std::sort(sorted.begin(), sorted.end());
+  std::vector<char> again(mesh.cells.size());
+  for (std::size_t i = 0, j; i < sorted.size(); i = j) {
+    for (j = i + 1; j < sorted.size() && sorted[j].first == sorted[i].first; ++j)
+      for (std::size_t k = i; k < j; ++k) {
+        const std::size_t a = mesh.cell_numbers[sorted[k].second], b = mesh.cell_numbers[sorted[j].second];
+        again[sorted[j].second] = 1;
+        if (!facts.lists_groups() || !group.count(a) || !group.count(b) || group[a] == group[b])
+          throw std::runtime_error(fmt::format("cells {} and {} of {} are one and the same, with the same vertices{}; expected each cell once", a, b, in_quotes(file),
+                                               facts.lists_groups() ? " and in the same group" : ""));
+      }
+  }
+  std::size_t kept = 0;
+  for (std::size_t c = 0; c < again.size(); ++c)
+    if (!again[c]) mesh.cells[kept] = mesh.cells[c], mesh.cell_numbers[kept++] = mesh.cell_numbers[c];
+  mesh.cells.resize(kept);
+  mesh.cell_numbers.resize(kept);
 }
 
-void read_cells(CellMesh& mesh, Vertices& vertices, const std::string& file) {
+void read_cells(CellMesh& mesh, Vertices& vertices, const MshFacts& facts, const std::string& file) {
   const auto blocks = elements(mesh.dim);
   require_cells_of_one_kind(blocks, mesh.dim, file);
   const int corners = 1 << mesh.dim;
   for (const Block& block : blocks)
-    for (std::size_t first = 0; first + corners <= block.nodes.size(); first += corners) {
+    for (std::size_t i = 0; (i + 1) * corners <= block.nodes.size(); ++i) {
       std::array<int, 8> cell{};
-      for (int v = 0; v < corners; ++v) cell[around_to_lexicographic[v]] = vertices.use(block.nodes[first + v], mesh);
+      for (int v = 0; v < corners; ++v) cell[around_to_lexicographic[v]] = vertices.use(block.nodes[i * corners + v], mesh);
       mesh.cells.push_back(cell);
+      mesh.cell_numbers.push_back(block.numbers[i]);
     }
   require_finite(mesh, file);
   if (mesh.dim == 2) flatten(mesh, file);
-  for (std::size_t i = 0; i < mesh.cells.size(); ++i) orient(mesh, mesh.cells[i], i, file);
+  drop_repeated_cells(mesh, facts, file);
 }
 
-// Places use these names in a space separated list beside the names of the bounding sides.
-void require_usable_group(const std::string& name, const CellMesh& mesh, const std::string& file) {
-  const std::vector<std::string> reserved = {"x-", "x+", "y-", "y+", "z-", "z+", "all"};
-  const auto in = [&](const auto& list) { return std::find(list.begin(), list.end(), name) != list.end(); };
-  const bool blank = std::any_of(name.begin(), name.end(), [](unsigned char c) { return c <= 0x20 || c == 0x7f; });
-  if (blank || in(reserved) || in(mesh.groups))
-    throw std::runtime_error(fmt::format("{} has a physical group {}; expected a name without blanks, not {}", in_quotes(file),
-                                         in_quotes(name), in(mesh.groups) ? "used twice" : "x-, x+, .. or all"));
-}
-
-void read_facets(CellMesh& mesh, int entity, int group, const Vertices& vertices, const std::string& file) {
-  const int corners = 1 << (mesh.dim - 1);
-  for (const Block& block : elements(mesh.dim - 1, entity)) {
-    if (block.type != (mesh.dim == 2 ? gmsh_line : gmsh_quad))
-      throw std::runtime_error(fmt::format("physical group {} of {} holds facets of type {}; expected linear {}",
-                                           in_quotes(mesh.groups[group]), in_quotes(file), type_name(block.type),
-                                           mesh.dim == 2 ? "lines" : "quadrilaterals"));
-    for (std::size_t first = 0; first + corners <= block.nodes.size(); first += corners) {
-      CellMesh::Facet facet{{}, group};
-      for (int v = 0; v < corners; ++v) facet.vertices[around_to_lexicographic[v]] = vertices.used(block.nodes[first + v]);
-      if (std::count(facet.vertices.begin(), facet.vertices.begin() + corners, -1))
-        throw std::runtime_error(
-            fmt::format("physical group {} of {} has a facet that belongs to no cell", in_quotes(mesh.groups[group]), in_quotes(file)));
-      mesh.facets.push_back(facet);
-    }
-  }
-}
-
-void read_groups(CellMesh& mesh, const Vertices& vertices, const std::string& file) {
-  gmsh::vectorpair groups;
-  gmsh::model::getPhysicalGroups(groups, mesh.dim - 1);
-  for (const auto& [dim, tag] : groups) {
-    std::string name;
-    gmsh::model::getPhysicalName(dim, tag, name);
-    if (name.empty()) name = std::to_string(tag);
-    require_usable_group(name, mesh, file);
-    mesh.groups.push_back(name);
-    std::vector<int> entities;
-    gmsh::model::getEntitiesForPhysicalGroup(dim, tag, entities);
-    for (const int entity : entities) read_facets(mesh, entity, int(mesh.groups.size()) - 1, vertices, file);
-  }
+// Gmsh takes the first of two nodes of one number, with a word in its log; of two elements one, without.
+void require_nothing_lost(const MshFacts& facts, const std::string& file) {
+  std::vector<std::string> log;
+  gmsh::logger::get(log);
+  const std::string twice = "Skipping duplicate node ";
+  for (const std::string& line : log)
+    if (const auto at = line.find(twice); at != std::string::npos)
+      throw std::runtime_error(fmt::format("{} defines node {} twice; expected each number once", in_quotes(file), line.substr(at + twice.size())));
+  std::size_t read = 0;
+  for (const Block& block : elements(-1)) read += block.numbers.size();
+  if (read >= facts.elements) return;
+  std::vector<std::size_t> numbers = facts.numbers;
+  std::sort(numbers.begin(), numbers.end());
+  const auto same = std::adjacent_find(numbers.begin(), numbers.end());
+  throw std::runtime_error(same != numbers.end() ? fmt::format("{} defines element {} twice; expected each number once", in_quotes(file), *same)
+                                                 : fmt::format("{} announces {} elements, of which Gmsh finds {}; expected a mesh saved by Gmsh",
+                                                               in_quotes(file), facts.elements, read));
 }
 
 // Gmsh takes whatever it does not recognise as a .geo script and runs it, so only the beginnings of the .msh format pass.
@@ -211,7 +129,9 @@ void require_msh_file(const std::string& file) {
   if (std::filesystem::is_regular_file(file, status))
     std::ifstream(file, std::ios::binary).read(start.data(), std::streamsize(start.size()));
   const bool is_msh = start.starts_with("$MeshFormat") || start.starts_with("$Comments") || start.starts_with("$NOD");
-  if (!is_msh || std::filesystem::path(file).extension() != ".msh")
+  std::string extension = std::filesystem::path(file).extension().string();
+  std::transform(extension.begin(), extension.end(), extension.begin(), [](unsigned char c) { return char(std::tolower(c)); });
+  if (!is_msh || extension != ".msh")
     throw std::runtime_error(fmt::format("{} is not a .msh file; expected a mesh saved by Gmsh", in_quotes(file)));
 }
 
@@ -219,11 +139,13 @@ CellMesh read_here(const std::string& file, int dim, double unit) {
   CellMesh mesh;
   mesh.dim = dim;
   try {
-    const GmshSession session;
+    const Session session;
+    const MshFacts facts = scan_msh(file, [](int type) { return corners_of(type); });
     gmsh::open(file);
-    Vertices vertices(unit);
-    read_cells(mesh, vertices, file);
-    read_groups(mesh, vertices, file);
+    require_nothing_lost(facts, file);
+    Vertices vertices(unit, file);
+    read_cells(mesh, vertices, facts, file);
+    read_groups(mesh, vertices, facts, file);
   } catch (const std::runtime_error&) {
     throw;
   } catch (...) {  // the API throws whatever its version likes: int, std::string, ..
@@ -232,52 +154,11 @@ CellMesh read_here(const std::string& file, int dim, double unit) {
   return mesh;
 }
 
-// The mesh as bytes: the lengths of its lists, then what they hold. Or a message.
-template <class T>
-void put(std::string& bytes, const std::vector<T>& list) {
-  const std::size_t n = list.size();
-  bytes.append(reinterpret_cast<const char*>(&n), sizeof n);
-  if (n > 0) bytes.append(reinterpret_cast<const char*>(list.data()), n * sizeof(T));
-}
-
-template <class T>
-std::vector<T> take(const std::string& bytes, std::size_t& at) {
-  std::size_t n = 0;
-  std::memcpy(&n, bytes.data() + at, sizeof n);
-  std::vector<T> list(n);
-  if (n > 0) std::memcpy(list.data(), bytes.data() + at + sizeof n, n * sizeof(T));  // an empty list may hold no address
-  at += sizeof n + n * sizeof(T);
-  return list;
-}
-
 constexpr char is_mesh = 'm', is_message = 'x';
-
-std::string to_bytes(const CellMesh& mesh) {
-  std::string bytes(1, is_mesh);
-  put(bytes, mesh.vertices);
-  put(bytes, mesh.cells);
-  put(bytes, mesh.facets);
-  for (const std::string& group : mesh.groups) put(bytes, std::vector<char>(group.begin(), group.end()));
-  return bytes;
-}
-
-CellMesh from_bytes(const std::string& bytes, int dim) {
-  CellMesh mesh;
-  std::size_t at = 1;
-  mesh.dim = dim;
-  mesh.vertices = take<Point>(bytes, at);
-  mesh.cells = take<std::array<int, 8>>(bytes, at);
-  mesh.facets = take<CellMesh::Facet>(bytes, at);
-  while (at < bytes.size()) {
-    const std::vector<char> group = take<char>(bytes, at);
-    mesh.groups.emplace_back(group.begin(), group.end());
-  }
-  return mesh;
-}
 
 }  // namespace
 
-CellMesh read_gmsh(const std::string& file, int dim, double unit) {
+CellMesh read_gmsh(const std::string& file, int dim, double unit, const MeshWish& wish) {
   require_msh_file(file);
   const std::size_t size = std::filesystem::file_size(file);
   const ChildLimits limits{unsigned(20 + size / 200'000), (std::size_t(1) << 30) + 100 * size};  // Gmsh reads some MB/s, and keeps some 20 bytes for each
@@ -285,7 +166,7 @@ CellMesh read_gmsh(const std::string& file, int dim, double unit) {
   const bool whole = in_child(
       [&] {
         try {
-          return to_bytes(read_here(file, dim, unit));
+          return is_mesh + to_bytes(read_here(file, dim, unit));
         } catch (const std::runtime_error& e) {
           return is_message + std::string(e.what());
         }
@@ -294,7 +175,9 @@ CellMesh read_gmsh(const std::string& file, int dim, double unit) {
   if (!whole || bytes.empty())
     throw std::runtime_error(fmt::format("{} cannot be read: it is damaged (Gmsh broke off); expected a mesh saved by Gmsh", in_quotes(file)));
   if (bytes[0] == is_message) throw std::runtime_error(bytes.substr(1));
-  return from_bytes(bytes, dim);
+  CellMesh mesh = from_bytes(bytes, 1, dim);
+  check_mesh(mesh, wish, file);
+  return mesh;
 }
 
 }  // namespace femsph

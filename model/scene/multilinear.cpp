@@ -105,11 +105,25 @@ double smallest_corner_jacobian(const Patch& patch) {
   return smallest;
 }
 
+namespace {
+
+double gauss_jacobian(const Patch& patch, int q) {
+  const double g[2] = {0.5 - 0.5 / std::sqrt(3.0), 0.5 + 0.5 / std::sqrt(3.0)};
+  return determinant(patch, {g[q & 1], g[q >> 1 & 1], g[q >> 2 & 1]});
+}
+
+}  // namespace
+
+double smallest_gauss_jacobian(const Patch& patch) {
+  double smallest = gauss_jacobian(patch, 0);
+  for (int q = 1; q < patch.corner_count(); ++q) smallest = std::min(smallest, gauss_jacobian(patch, q));
+  return smallest;
+}
+
 double measure(const Patch& patch) {
   // Gauss points of order 2 a direction integrate the determinant of a trilinear map exactly (degree 2 in each variable).
-  const double g[2] = {0.5 - 0.5 / std::sqrt(3.0), 0.5 + 0.5 / std::sqrt(3.0)};
   double sum = 0;
-  for (int v = 0; v < patch.corner_count(); ++v) sum += determinant(patch, {g[v & 1], g[v >> 1 & 1], g[v >> 2 & 1]});
+  for (int q = 0; q < patch.corner_count(); ++q) sum += gauss_jacobian(patch, q);
   return sum / patch.corner_count();
 }
 

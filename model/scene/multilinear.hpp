@@ -23,6 +23,9 @@ double distance(const Patch& patch, const Point& p);
 /// The smallest determinant of dx/dxi over the corners of a cell in `dim` dimensions (k = dim), m^dim.
 double smallest_corner_jacobian(const Patch& patch);
 
+/// The same over the Gauss points of order 2 a direction, where every element takes its gradients.
+double smallest_gauss_jacobian(const Patch& patch);
+
 /// Area or volume of a cell (k = dim), m^dim.
 double measure(const Patch& patch);
 

@@ -122,7 +122,8 @@ void read_loads(Fields& root, Reading& reading) {
     const auto history = read_history(fields);
     fields.done();
     if (by_pressure && force) fields.fault("pressure", "both \"force\" and \"pressure\"; expected one of them");
-    if (by_pressure && place && place->sides.size() != 1)
+    const bool shape_known = place && reading.scene.bodies[place->body].shape;  // else its sides have not been looked up
+    if (by_pressure && place && (shape_known || place->point) && place->sides.size() != 1)
       fields.fault("pressure", "\"pressure\" needs one side of a body; expected at = \"x+\" or the like");
     if (by_pressure && reading.scene.large_motion)
       fields.fault("pressure", "\"pressure\" follows no large motion; expected motion = \"small\", or a \"force\"");

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "model/scene/mesh_check.hpp"
 #include "model/scene/scene_reader.hpp"
 #include "model/scene/shape_reader.hpp"
 
@@ -105,7 +106,7 @@ Material read_material(const std::string& name, Fields& fields, const Reading& r
   if (!law) fields.accept_rest();
   if (law == LawWord::plastic) material.plasticity = read_plasticity(fields, material, reading);
   material.neo_hookean = law == LawWord::neo_hookean;
-  if (material.neo_hookean && reading.dim && !reading.scene.large_motion)
+  if (material.neo_hookean && reading.motion_known && !reading.scene.large_motion)
     fields.fault("law", "\"law\" is \"neo-hookean\" with small motion, where it is the elastic law; expected motion = \"large\" in [model], or law = \"elastic\"");
   fields.done();
   return material;
@@ -117,8 +118,23 @@ std::vector<std::string> material_names(const Scene& scene) {
   return names;
 }
 
+// Such a cell is sound where elements take its gradients, but near that corner what they say is poor.
+void warn_of_bad_corners(const Fields& fields, const Shape* shape, const Reading& reading) {
+  if (!shape || !shape->cells()) return;
+  const std::vector<int> cells = cells_with_bad_corners(*shape->cells());
+  if (cells.empty()) return;
+  constexpr std::size_t most = 5;
+  std::string list;
+  for (std::size_t i = 0; i < std::min(most, cells.size()); ++i) list += fmt::format("{}{}", i ? ", " : "", cell_number(*shape->cells(), cells[i]));
+  const Source at = fields.source("file");
+  reading.scene.warnings.push_back(fmt::format("{}:{}:{}: {} not convex (cell{} {}{}): sound at {} Gauss points, folded or flat at a corner, where results are poor", reading.scene.file, at.line,
+                                               at.column, cells.size() == 1 ? "one cell of the mesh is" : fmt::format("{} cells of the mesh are", cells.size()),
+                                               cells.size() == 1 ? "" : "s", list, cells.size() > most ? ", .." : "", cells.size() == 1 ? "its" : "their"));
+}
+
 Body read_body(const std::string& name, Fields& fields, const Reading& reading) {
   Body body{name, read_shape(fields, reading.dim, reading.folder), 1.0, ""};
+  warn_of_bad_corners(fields, body.shape.get(), reading);
   body.rigid = fields.flag("rigid", Need::optional).value_or(false);
   if (body.rigid) return read_rigid_body(fields, body, reading), body;
   const Need need = reading.dim == 2 ? Need::required : Need::optional;

@@ -85,8 +85,9 @@ void read_rigid_body(Fields& fields, Body& body, const Reading& reading) {
 }
 
 void read_rigid_support(Fields& fields, const Place& place, Reading& reading) {
-  const std::vector<std::string> all = reading.dim == 2 ? std::vector<std::string>{"x", "y", "turn"}
-                                                        : std::vector<std::string>{"x", "y", "z", "turn-x", "turn-y", "turn-z"};
+  std::vector<std::string> all = reading.dim == 2 ? std::vector<std::string>{"x", "y", "turn"}
+                                                  : std::vector<std::string>{"x", "y", "z", "turn-x", "turn-y", "turn-z"};
+  if (reading.dim == 0) all.push_back("turn");  // it may be a plane scene
   const std::string expected = "a list of components such as [\"x\", \"" + all.back() + "\"]";
   Support support{place, {}, {}};
   const auto components = fields.texts("fix", Need::required, expected);
@@ -95,7 +96,7 @@ void read_rigid_support(Fields& fields, const Place& place, Reading& reading) {
     if (found == all.end())
       fields.fault("fix", fmt::format("unknown component {}; expected {}{}", in_quotes(component), one_of(all), did_you_mean(component, all)));
     else if (component.starts_with("turn"))
-      support.fixed_turn[reading.dim == 2 ? 2 : component.back() - 'x'] = true;
+      support.fixed_turn[component == "turn" ? 2 : component.back() - 'x'] = true;
     else
       support.fixed[component[0] - 'x'] = true;
   }

@@ -12,6 +12,7 @@ namespace {
 
 /// In a plane a body can only turn about z, so one number says it all.
 std::optional<Point> read_spin(Fields& fields, int dim) {
+  if (dim == 0 && fields.has("spin")) return fields.accept("spin"), std::nullopt;  // a rate or a vector: the plane of the scene is at fault
   if (dim != 2) return fields.vector("spin", Need::optional, dimension::rotation, dim);
   const auto rate = fields.quantity("spin", Need::optional, dimension::rotation);
   return rate ? std::optional(Point{0, 0, *rate}) : std::nullopt;

@@ -30,16 +30,50 @@ bool meet(const Shape& shape, const std::vector<std::string>& sides) {
   });
 }
 
+/// A word for a side, as the shape calls it: a side's own name, or a group of a mesh by its name or number. Nothing if it is none.
+std::optional<std::string> side_named(const Shape& shape, const std::string& word) {
+  const std::vector<std::string> sides = shape.sides();
+  if (const CellMesh* mesh = shape.cells())
+    for (const auto& [said, group] : mesh->group_words)
+      if (said == word) return mesh->groups[std::size_t(group)];
+  const bool known = std::find(sides.begin(), sides.end(), word) != sides.end();
+  return known ? std::optional(word) : std::nullopt;
+}
+
+/// Why a name or number that the mesh file holds is no side; nothing if the file does not hold it.
+std::optional<std::string> in_vain(const Shape& shape, const std::string& word) {
+  if (const CellMesh* mesh = shape.cells())
+    for (const auto& [said, why] : mesh->vain_words)
+      if (said == word) return why;
+  return {};
+}
+
+/// "at" word by word; a physical name may hold blanks, so that the whole of "at" is one. Words that could be read in both ways are refused.
+std::optional<std::vector<std::string>> words_of(const Fields& fields, const std::string& at, const Shape& shape) {
+  std::vector<std::string> words;
+  std::istringstream stream(at);
+  for (std::string word; stream >> word;) words.push_back(word);
+  if (words.size() < 2 || (!side_named(shape, at) && !in_vain(shape, at))) return words;
+  if (std::all_of(words.begin(), words.end(), [&](const std::string& word) { return side_named(shape, word) || in_vain(shape, word) || word == whole_body; }))
+    return fields.fault("at", fmt::format("{} is the name of a physical group, and several sides; expected the group's number, or another name for it", in_quotes(at))),
+           std::nullopt;
+  return std::vector<std::string>{at};
+}
+
 std::optional<std::vector<std::string>> read_sides(const Fields& fields, const std::string& at, const Shape& shape) {
   std::vector<std::string> sides, known = shape.sides();
   known.push_back(whole_body);
-  std::istringstream words(at);
-  for (std::string word; words >> word; sides.push_back(word)) {
-    if (std::find(known.begin(), known.end(), word) == known.end())
+  const auto words = words_of(fields, at, shape);
+  if (!words) return {};
+  for (const std::string& word : *words) {
+    if (const auto why = in_vain(shape, word)) return fields.fault("at", *why), std::nullopt;
+    const std::optional<std::string> side = word == whole_body ? word : side_named(shape, word);
+    if (!side)
       return fields.fault("at", fmt::format("unknown side {}; expected {}{}", in_quotes(word), one_of(known), did_you_mean(word, known))),
              std::nullopt;
-    if (std::find(sides.begin(), sides.end(), word) != sides.end())
+    if (std::find(sides.begin(), sides.end(), *side) != sides.end())
       return fields.fault("at", fmt::format("side {} is given twice; expected each side once", in_quotes(word))), std::nullopt;
+    sides.push_back(*side);
   }
   if (sides.empty()) return fields.fault("at", fmt::format("\"at\" is empty; expected {}", one_of(known))), std::nullopt;
   if (std::find(sides.begin(), sides.end(), whole_body) != sides.end()) {

@@ -18,6 +18,7 @@ struct Reading {
   Faults& faults;
   std::filesystem::path folder;  ///< of the file: mesh paths start here
   int dim = 0;                   ///< 0: the plane of the scene is itself at fault
+  bool motion_known = false;     ///< false: "motion" of the scene is itself at fault
 };
 
 void read_model(Fields& root, Reading& reading);

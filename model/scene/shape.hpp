@@ -5,6 +5,7 @@
 #include <array>
 #include <memory>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "model/numerics/tensor.hpp"
@@ -22,8 +23,10 @@ struct CellMesh {
     int group;                    ///< index into groups, -1: unnamed
   };
   std::vector<Facet> facets;        ///< boundary facets that the file names
-  std::vector<std::string> groups;  ///< physical names
+  std::vector<std::string> groups;  ///< of facets: their physical names, or their numbers where a name could mean two things
   std::vector<std::size_t> cell_numbers, vertex_numbers;  ///< those of the file, for messages; empty: there is no file
+  std::vector<std::pair<std::string, int>> group_words;          ///< what a place may call a group: a name or a number, an index into groups
+  std::vector<std::pair<std::string, std::string>> vain_words;   ///< names and numbers of the file that no place can use, and why
 };
 
 class Shape {
@@ -104,8 +107,14 @@ class MeshShape final : public Shape {
   BoxGrid cell_grid_, facet_grid_;
 };
 
-/// Reads a .msh file (quadrilaterals in 2D, hexahedra in 3D; lengths multiplied by `unit`).
-/// Throws std::runtime_error with one sentence when the file cannot be read or holds no such cells.
-CellMesh read_gmsh(const std::string& file, int dim, double unit);
+/// What the scene says of a mesh that would be a mistake elsewhere.
+struct MeshWish {
+  int pieces = 1;           ///< how many the cells form, joined by their sides
+  bool open_seams = false;  ///< sides that lie on each other without sharing vertices are meant: a crack
+};
+
+/// Reads a .msh file (quadrilaterals in 2D, hexahedra in 3D; lengths multiplied by `unit`) and looks at all of it once, see mesh_check.hpp.
+/// Throws std::runtime_error with one sentence when the file cannot be read, holds no such cells, or could be read in two ways.
+CellMesh read_gmsh(const std::string& file, int dim, double unit, const MeshWish& wish = {});
 
 }  // namespace femsph

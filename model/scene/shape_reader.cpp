@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <cctype>
 #include <stdexcept>
 
 #include "model/scene/structured_shapes.hpp"
@@ -31,7 +32,8 @@ std::optional<double> read_length_unit(Fields& body) {
   const auto unit = body.text("unit", Need::required, expected);
   if (!unit) return {};
   try {
-    if (const double length = to_si("1 " + *unit, dimension::length); length > 0) return length;
+    const bool has_number = !unit->empty() && std::isdigit((unsigned char)unit->front());  // "25.4 mm" is a unit as well
+    if (const double length = to_si((has_number ? "" : "1 ") + *unit, dimension::length); length > 0) return length;
   } catch (const std::invalid_argument&) {  // said below, without the "1" that the user did not write
   }
   body.fault("unit", fmt::format("\"unit\" is {}; expected {}", in_quotes(*unit), expected));
@@ -41,9 +43,10 @@ std::optional<double> read_length_unit(Fields& body) {
 ShapePointer read_mesh(Fields& body, int dim, const std::filesystem::path& folder) {
   const auto file = body.text("file", Need::required, "the path of a .msh file");
   const auto unit = read_length_unit(body);
+  const MeshWish wish{body.count("pieces", Need::optional, 1, 1'000'000).value_or(1), body.flag("open_seams", Need::optional).value_or(false)};
   if (!file || !unit || !dim) return nullptr;
   try {
-    return std::make_shared<MeshShape>(read_gmsh((folder / *file).lexically_normal().string(), dim, *unit), *file);
+    return std::make_shared<MeshShape>(read_gmsh((folder / *file).lexically_normal().string(), dim, *unit, wish), *file);
   } catch (const std::runtime_error& e) {
     body.fault("file", e.what());
     return nullptr;

@@ -10,6 +10,7 @@
 #include <memory>
 #include <stdexcept>
 #include <string_view>
+#include <vector>
 
 #include "model/scene/faults.hpp"
 
@@ -81,6 +82,50 @@ void refuse_ambiguous(const Written& written, const ut_unit* unit, const std::st
                                             dimension.name, dimension.example));
 }
 
+bool is_letter(char c) { return std::isalpha((unsigned char)c) || c == '_'; }
+bool is_digit(char c) { return std::isdigit((unsigned char)c); }
+
+// UDUNITS-2 multiplies by any number in a unit, so that "1 500 mm" would be half a metre and "1-2 mm" -2 mm. An exponent follows letters, "^", "**" or a
+// sign after these; "1/s" is the one number that units start with.
+bool holds_a_number(std::string_view unit) {
+  if (unit.starts_with("1/")) unit.remove_prefix(2);
+  for (std::size_t i = 0; i < unit.size(); ++i) {
+    if (!is_digit(unit[i]) || (i > 0 && is_digit(unit[i - 1]))) continue;
+    std::size_t before = i;
+    while (before > 0 && (unit[before - 1] == '-' || unit[before - 1] == '+')) --before;
+    const bool power = before > 0 && (unit[before - 1] == '^' || (before > 1 && unit[before - 1] == '*' && unit[before - 2] == '*'));
+    const bool exponent = before > 0 && (is_letter(unit[before - 1]) || unit[before - 1] == ')' || power);
+    const bool one_over = unit[i] == '1' && i + 1 < unit.size() && unit[i + 1] == '/' && i > 0 && unit[i - 1] == '(';
+    if (!exponent && !one_over) return true;
+  }
+  return false;
+}
+
+/// Words that people use for two units, and what to write instead.
+struct Double {
+  const char *word, *what, *instead;
+};
+constexpr Double doubles[] = {
+    {"ton", "the short ton of 907.18 kg here and 1000 kg elsewhere", "\"t\" or \"tonne\" for 1000 kg, \"short_ton\" for 907.18 kg"},
+    {"tons", "short tons of 907.18 kg here and 1000 kg elsewhere", "\"t\" or \"tonne\" for 1000 kg, \"short_ton\" for 907.18 kg"},
+    {"ton_force", "the weight of a short ton here and of 1000 kg elsewhere", "\"kN\", or \"kip\" for 1000 pounds"},
+    {"force_ton", "the weight of a short ton here and of 1000 kg elsewhere", "\"kN\", or \"kip\" for 1000 pounds"},
+};
+
+/// One of these words stands in the unit, by itself or behind a prefix ("kton", "megaton").
+const Double* read_in_two_ways(const std::string& unit) {
+  static const std::vector<std::string> prefixes = {"", "k", "M", "m", "G", "kilo", "mega", "milli", "giga"};
+  for (std::size_t i = 0, j; i < unit.size(); i = j + 1) {
+    for (j = i; j < unit.size() && is_letter(unit[j]); ++j) {
+    }
+    const std::string word = unit.substr(i, j - i);
+    for (const Double& d : doubles)
+      for (const std::string& prefix : prefixes)
+        if (word == prefix + d.word) return &d;
+  }
+  return nullptr;
+}
+
 }  // namespace
 
 std::string expected_quantity(const Dimension& dimension) {
@@ -90,6 +135,10 @@ std::string expected_quantity(const Dimension& dimension) {
 double to_si(const std::string& quantity, const Dimension& dimension) {
   const std::string expected = expected_quantity(dimension);
   const Written written = split(quantity, expected);
+  if (holds_a_number(written.unit))
+    throw std::invalid_argument(fmt::format("{} holds a second number; expected {}", in_quotes(quantity), expected));
+  if (const Double* two = read_in_two_ways(written.unit))
+    throw std::invalid_argument(fmt::format("{} can be read in two ways: \"{}\" is {}; expected {}", in_quotes(quantity), two->word, two->what, two->instead));
   const Unit unit = parse_unit(written.unit), si = parse_unit(dimension.si);
   if (!unit)
     throw std::invalid_argument(fmt::format("unknown unit {} in {}; expected {}", in_quotes(written.unit), in_quotes(quantity), expected));

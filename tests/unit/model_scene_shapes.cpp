@@ -120,7 +120,7 @@ TEST(Gmsh, RefusesOtherCellsWithOneSentence) {
                 "volumes, first order)");
   EXPECT_EQ(
       complaint("bow_tie.msh", 2),
-      "cell 1 of \"" + folder + "bow_tie.msh\" is folded or flat (its Jacobian is not positive at every corner); expected convex cells");
+      "cell 1 of \"" + folder + "bow_tie.msh\" is folded or flat (its Jacobian is not positive at every Gauss point); expected convex cells");
   EXPECT_EQ(complaint("upright.msh", 2), "\"" + folder + "upright.msh\" leaves the plane z = 0; expected a plane mesh in x and y");
   EXPECT_EQ(complaint("none.msh", 2), "no such file \"" + folder + "none.msh\"; expected a .msh file of Gmsh");
   EXPECT_EQ(complaint("not_a_mesh.msh", 2), "\"" + folder + "not_a_mesh.msh\" is not a .msh file; expected a mesh saved by Gmsh");

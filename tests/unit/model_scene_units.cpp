@@ -53,7 +53,31 @@ TEST(Units, FaultsSayWhatWasExpected) {
   EXPECT_EQ(complaint("inf mm", dimension::length), "\"inf mm\" does not start with a number" + expected);
   EXPECT_EQ(complaint("1e999 mm", dimension::length), "\"1e999 mm\" is beyond the range of numbers" + expected);
   EXPECT_EQ(complaint("1e300 mm", dimension::length), "\"1e300 mm\" is too large or too small to compute with" + expected);
-  EXPECT_EQ(complaint("10 m @ 5", dimension::length), "\"10 m @ 5\" is not a length" + expected) << "a shifted origin is no factor";
+  EXPECT_EQ(complaint("10 m @ 5", dimension::length), "\"10 m @ 5\" holds a second number" + expected) << "a shifted origin is no factor";
+}
+
+// UDUNITS-2 would multiply: half a metre for one and a half, -2 mm for a range, 0.36 mm for a version number.
+TEST(Units, OneNumberAQuantity) {
+  const std::string expected = " holds a second number; expected a length with its unit, such as \"10 mm\"";
+  for (const char* quantity : {"1 500 mm", "1,500 mm", "1'500 mm", "1\u00a0500 mm", "1.2.3 mm", "1-2 mm", "1 +2 mm", "10 mm 2", "2*10 mm", "1/2 inch"})
+    EXPECT_EQ(complaint(quantity, dimension::length), "\"" + std::string(quantity) + "\"" + expected);
+  EXPECT_DOUBLE_EQ(to_si("5 kg/m3", dimension::density), 5);
+  EXPECT_DOUBLE_EQ(to_si("5 kg m-3", dimension::density), 5);
+  EXPECT_DOUBLE_EQ(to_si("5 kg m^-3", dimension::density), 5);
+  EXPECT_DOUBLE_EQ(to_si("5 m s**-2", dimension::acceleration), 5);
+  EXPECT_DOUBLE_EQ(to_si("5 (1/s)", dimension::rate), 5);
+}
+
+// 2000 pounds to UDUNITS-2, 1000 kg to whoever computes in mm, t and s.
+TEST(Units, TonsAreRefused) {
+  const std::string why = " can be read in two ways: \"ton\" is the short ton of 907.18 kg here and 1000 kg elsewhere; expected \"t\" or \"tonne\" for 1000 kg, "
+                          "\"short_ton\" for 907.18 kg";
+  EXPECT_EQ(complaint("5 ton", dimension::mass), "\"5 ton\"" + why);
+  EXPECT_EQ(complaint("7.85e-9 ton/mm^3", dimension::density), "\"7.85e-9 ton/mm^3\"" + why);
+  EXPECT_EQ(complaint("3 kton", dimension::mass), "\"3 kton\"" + why);
+  EXPECT_DOUBLE_EQ(to_si("1 t", dimension::mass), 1000);
+  EXPECT_DOUBLE_EQ(to_si("1 tonne", dimension::mass), 1000);
+  EXPECT_DOUBLE_EQ(to_si("1 short_ton", dimension::mass), 907.18474) << "2000 pounds of 0.45359237 kg";
 }
 
 TEST(Units, FaultsKeepTheTerminalQuiet) {
