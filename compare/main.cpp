@@ -35,7 +35,7 @@ void add_method_options(CLI::App* command, RunCommand& c) {
   command->add_option("--kernel", c.kernel, "SPH: cubic-spline (default) or wendland-c2");
   command->add_option("--mass", c.mass, "classic SPH: share, full or trapezoid");
   command->add_option("--viscosity", c.viscosity, "classic SPH: alpha,beta,gamma of the artificial viscosity (eq. 5)")->delimiter(',')->expected(3);
-  command->add_option("--hourglass", c.hourglass, "coefficient of the hourglass control (fem-one-point, sph-corrected)");
+  command->add_option("--hourglass", c.hourglass, "coefficient of the hourglass control: sph-corrected (0.1 if not given); fem-one-point takes Flanagan and Belytschko's stiffness control by it, instead of its physical stabilization");
   command->add_option("--safety", c.safety, "step = safety x critical step")->capture_default_str();
   command->add_option("--threads", c.threads, "threads of every loop")->capture_default_str();
 }

@@ -33,11 +33,16 @@ std::optional<double> at_least(Fields& options, const char* key, double least, b
   return {};
 }
 
+bool takes_hourglass(const Method& method) {
+  if (const auto* fem = std::get_if<fem::Options>(&method.options)) return fem->element == fem::Element::one_point;
+  return std::get<sph::Options>(method.options).formulation == sph::Formulation::corrected;
+}
+
 }  // namespace
 
 void Overrides::apply(Method& method) const {
   if (auto* fem = std::get_if<fem::Options>(&method.options)) {
-    set(hourglass, fem->hourglass);
+    if (hourglass) fem->hourglass = hourglass;
     set(distortion, fem->distortion);
     return;
   }
@@ -72,10 +77,13 @@ std::string Overrides::describe() const {
 }
 
 Overrides read_overrides(Fields& options, const std::vector<Method>& methods) {
-  bool any_fem = false, any_sph = false;
-  for (const Method& method : methods) (method.is_fem() ? any_fem : any_sph) = true;
+  bool any_fem = false, any_sph = false, all_hourglass = true;
+  for (const Method& method : methods) {
+    (method.is_fem() ? any_fem : any_sph) = true;
+    all_hourglass &= takes_hourglass(method);
+  }
   Overrides read;
-  read.hourglass = at_least(options, "hourglass", 0, true);
+  if (all_hourglass) read.hourglass = at_least(options, "hourglass", 0, true);
   if (!any_sph) read.distortion = at_least(options, "distortion", 0, true);
   if (!any_fem) {
     read.smoothing = at_least(options, "smoothing", 0, false);
