@@ -40,7 +40,7 @@ std::optional<double> read_number(Fields& options, const std::string& key) {
 
 void Overrides::apply(Method& method) const {
   if (auto* fem = std::get_if<fem::Options>(&method.options)) {
-    set(hourglass, fem->hourglass);
+    if (hourglass) fem->hourglass = hourglass;
     set(distortion, fem->distortion);
     return;
   }

@@ -23,6 +23,7 @@ namespace femsph::compare {
 struct Method {
   std::string name;
   std::variant<fem::Options, sph::Options> options;
+  std::string about = {};  ///< one line for `femsph list`
   bool is_fem() const { return options.index() == 0; }
 };
 

@@ -219,7 +219,7 @@ int list_command(const std::string& program) {
     }
   }
   print("\nmethods:");
-  for (const Method& method : methods()) print("  " + method.name);
+  for (const Method& method : methods()) print(fmt::format("  {:<22} {}", method.name, method.about));
   print("\ntheory values:");
   for (const Theory& theory : theories()) print(fmt::format("  {:<31} {:<4} {}", theory.name, theory.unit, theory.formula));
   return 0;

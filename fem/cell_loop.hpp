@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <memory>
+#include <optional>
 
 #include "fem/batches.hpp"
 #include "fem/fem.hpp"
@@ -44,7 +45,7 @@ struct LoopInput {
   const Batches* batches;
   Law law;
   double thickness;
-  double hourglass;
+  std::optional<double> hourglass;
   bool large_motion;
   bool scalar_kernel;
 };
@@ -52,6 +53,7 @@ struct LoopInput {
 std::unique_ptr<CellLoop> make_full_loop(const LoopInput&);
 std::unique_ptr<CellLoop> make_sri_loop(const LoopInput&);
 std::unique_ptr<CellLoop> make_one_point_loop(const LoopInput&);
+std::unique_ptr<CellLoop> make_perturbed_loop(const LoopInput&);  ///< one point, by `hourglass`
 std::unique_ptr<CellLoop> make_assumed_strain_loop(const LoopInput&);
 std::unique_ptr<CellLoop> make_loop(Element element, const LoopInput&);
 

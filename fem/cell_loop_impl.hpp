@@ -30,7 +30,7 @@ template <class ElementType, int dim, class T>
 class StiffnessLoop : public CellLoop {
  public:
   StiffnessLoop(const LoopInput& in, const LinearElastic& elastic)
-      : mesh_(*in.mesh), batches_(*in.batches), elastic_{elastic, elastic, in.hourglass}, thickness_(in.thickness) {
+      : mesh_(*in.mesh), batches_(*in.batches), elastic_(elastic, in.hourglass.value_or(0)), thickness_(in.thickness) {
     if constexpr (ElementType::own_axes) make_axes();
   }
 
@@ -135,7 +135,7 @@ class Loop final : public StiffnessLoop<ElementType, dim, T> {
 
  public:
   Loop(const LoopInput& in, const LawType& law)
-      : Base(in, law.elastic()), material_{law, law.elastic(), in.hourglass}, state_(batches_.count * state_size * lanes, 0.0) {}
+      : Base(in, law.elastic()), material_(law, in.hourglass.value_or(0)), state_(batches_.count * state_size * lanes, 0.0) {}
 
   void set_step([[maybe_unused]] double dt) override {
     if constexpr (requires { material_.law.set_step(dt); }) material_.law.set_step(dt);

@@ -7,6 +7,7 @@
 
 #include <type_traits>
 
+#include "fem/hourglass_moduli.hpp"
 #include "fem/mean_cell.hpp"
 #include "fem/rotation.hpp"
 #include "model/material/kinematics.hpp"
@@ -17,9 +18,14 @@ namespace femsph::fem {
 template <class LawType>
 struct CellMaterial {
   LawType law;
-  LinearElastic elastic;  ///< its elastic part
-  double hourglass;       ///< coefficient of one_point
+  LinearElastic elastic;      ///< its elastic part
+  HourglassModuli hourglass;  ///< of one_point.hpp
+
+  explicit CellMaterial(const LawType& l, double coefficient) : law(l), elastic(l.elastic()), hourglass(HourglassModuli::of(l, coefficient)) {}
 };
+
+template <class Kinematics>
+inline constexpr bool rotates = !std::is_same_v<Kinematics, SmallStrain>;
 
 struct Unobserved {
   template <class... Args>
@@ -27,9 +33,6 @@ struct Unobserved {
   template <class T>
   FEMSPH_INLINE void hourglass(const T&) const {}
 };
-
-template <class Kinematics>
-inline constexpr bool rotates = !std::is_same_v<Kinematics, SmallStrain>;
 
 /// Calls body(q) for each point. Unrolled, what depends on q alone is known beforehand; but eight copies of a law with history would not fit
 /// the processor's store of decoded instructions.
@@ -115,44 +118,6 @@ struct SriElement {
       sum.add(q, P, C[q]);
     }
     sum.nodal(f);
-  }
-};
-
-/// Mean gradient and stiffness hourglass control (Flanagan and Belytschko 1981): per mode and component the energy
-///   1/2 k 2^dim q^2,  q = gamma . u,  k = coefficient M V sum_aI (dN_I/dx_a)^2,
-/// (lambda + 2 mu) V sum (dN/dx)^2 being their bound on the stiffness of the mean strain itself; M: see hourglass_modulus. Total form on the undeformed cell:
-/// q vanishes for any linear motion, rigid rotations included, so the control is objective without rotating anything.
-struct OnePointElement {
-  template <int dim>
-  static constexpr int points = 1;
-  static constexpr bool own_axes = false;
-  static constexpr bool equal_volumes = true;
-
-  template <class Kinematics, class T, int dim, class LawType, class Observer>
-  FEMSPH_INLINE static void force(const CellMaterial<LawType>& material, const T* X, const T* u, T* state, T* f, Observer& observer) {
-    constexpr int modes = hourglass_modes<dim>;
-    const MeanCell<T, dim> cell(X);
-    Tensor<T, dim> L, P;
-    T q[modes][dim];
-    cell.strain(u, L, q);
-    Symmetric<T, dim> strain;
-    const auto frame = Kinematics::template strain<T, dim>(L, strain);
-    const auto stress = advance_law<LawType, T, dim, Kinematics>(material.law, strain, state);
-    observer.point(0, cell.volume, frame, strain, stress, history_of<LawType, dim>(state));
-    Kinematics::template piola<T, dim>(frame, strain, stress, P);
-    for (int i = 0; i < dim; ++i)
-      for (int j = 0; j < dim; ++j) P[i][j] *= cell.volume;
-
-    const double modulus = hourglass_modulus(material.elastic);
-    const T k = (material.hourglass * modulus * corners<dim>)*cell.volume * cell.gradient_square();
-    T energy = T{};
-    for (int a = 0; a < modes; ++a)
-      for (int i = 0; i < dim; ++i) {
-        energy += 0.5 * k * q[a][i] * q[a][i];
-        q[a][i] *= k;
-      }
-    observer.hourglass(energy);
-    cell.force(P, q, f);
   }
 };
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdio>
 #include <limits>
 #include <stdexcept>
 
@@ -21,11 +22,17 @@ const char* name_of(Element element) {
     case Element::sri:
       return "selective reduced integration";
     case Element::one_point:
-      return "one point with hourglass control";
+      return "one point";
     case Element::assumed_strain:
       return "assumed strain";
   }
   return "";
+}
+
+std::string in_short(double x) {
+  char text[32];
+  std::snprintf(text, sizeof text, "%g", x);
+  return text;
 }
 
 Mesh checked_mesh(const Scene& scene, const Shape& shape, const Options& options) {
@@ -60,7 +67,7 @@ std::unique_ptr<CellLoop> make_loop(Element element, const LoopInput& in) {
     case Element::sri:
       return make_sri_loop(in);
     case Element::one_point:
-      return make_one_point_loop(in);
+      return in.hourglass ? make_perturbed_loop(in) : make_one_point_loop(in);
     case Element::assumed_strain:
       return make_assumed_strain_loop(in);
   }
@@ -70,7 +77,9 @@ std::unique_ptr<CellLoop> make_loop(Element element, const LoopInput& in) {
 ExplicitFem::ExplicitFem(const Scene& scene, std::size_t body, const Options& options)
     : shape_(scene.bodies.at(body).shape),
       element_(options.element),
+      hourglass_(options.hourglass),
       thickness_(scene.dim() == 2 ? scene.bodies[body].thickness : 1.0),
+      plane_(scene.plane),
       mesh_(checked_mesh(scene, *shape_, options)),
       batches_(mesh_),
       layout_(interleaved(mesh_, batches_)),
@@ -92,7 +101,18 @@ ExplicitFem::ExplicitFem(const Scene& scene, std::size_t body, const Options& op
 
 std::string ExplicitFem::describe() const {
   return "explicit FEM, " + std::to_string(mesh_.cell_count()) + (mesh_.dim == 2 ? " quadrilaterals, " : " hexahedra, ") +
-         name_of(element_) + bars_text_;
+         name_of(element_) + (element_ != Element::one_point ? "" : hourglass_ ? ", hourglass coefficient " + in_short(*hourglass_) : ", physical stabilization") +
+         bars_text_;
+}
+
+/// What keeps its volume needs elements that can: eight (or four) points a cell ask for more than its corners can give. Reduced shear changes
+/// nothing about that. In plane stress the thickness gives way.
+std::vector<std::string> ExplicitFem::warnings() const {
+  const double poisson = std::visit([](const auto& l) { return l.elastic().poisson; }, law_);
+  if (plane_ == Plane::stress || (element_ != Element::full && element_ != Element::sri) || (poisson <= 0.45 && !plastic_)) return {};
+  std::string why = plastic_ ? "plastic flow keeps the volume" : "";
+  if (poisson > 0.45) why = "Poisson's ratio is " + in_short(poisson) + (plastic_ ? ", and " + why : "");
+  return {why + ": " + name_of(element_) + " locks in volume, and displacements may come out far too small; fem-assumed-strain and fem-one-point do not"};
 }
 
 std::size_t ExplicitFem::bytes() const {

@@ -1,6 +1,7 @@
 #pragma once
 // The finite element discretization that the march sees.
 
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -18,6 +19,7 @@ class ExplicitFem : public Discretization {
   ExplicitFem(const Scene& scene, std::size_t body, const Options& options);
 
   std::string describe() const override;
+  std::vector<std::string> warnings() const override;
   const Layout& layout() const override { return layout_; }
   std::span<const double> mass() const override { return mass_; }
   Point position(std::size_t point) const override { return mesh_.node(point); }
@@ -50,7 +52,9 @@ class ExplicitFem : public Discretization {
  protected:
   std::shared_ptr<const Shape> shape_;
   Element element_;
+  std::optional<double> hourglass_;  ///< of Options
   double thickness_;
+  Plane plane_;
   Mesh mesh_;
   Batches batches_;
 

@@ -1,5 +1,5 @@
 #include "fem/cell_loop_impl.hpp"
-#include "fem/elements.hpp"
+#include "fem/one_point.hpp"
 
 namespace femsph::fem {
 

@@ -10,9 +10,10 @@
 
 namespace femsph::fem {
 
+/// The Z of M's axial part (M[1][0] - M[0][1]; in space M[2][1] - M[1][2] and so on): of a pair, q x S.
 template <class T>
-FEMSPH_INLINE Tensor<T, 2> rotation_couple(const Symmetric<T, 2>& U, const Tensor<T, 2>& M) {
-  const T z = (M[1][0] - M[0][1]) / trace(U);
+FEMSPH_INLINE Tensor<T, 2> axial_couple(const Symmetric<T, 2>& U, const T& axial) {
+  const T z = axial / trace(U);
   Tensor<T, 2> Z;
   Z[0][0] = Z[1][1] = T{};
   Z[1][0] = -z;
@@ -21,13 +22,13 @@ FEMSPH_INLINE Tensor<T, 2> rotation_couple(const Symmetric<T, 2>& U, const Tenso
 }
 
 template <class T>
-FEMSPH_INLINE Tensor<T, 3> rotation_couple(const Symmetric<T, 3>& U, const Tensor<T, 3>& M) {
+FEMSPH_INLINE Tensor<T, 3> axial_couple(const Symmetric<T, 3>& U, const T (&axial)[3]) {
   const T t = trace(U);
   const T a = t - U[0], b = t - U[1], c = t - U[2], d = -U(0, 1), e = -U(1, 2), f = -U(0, 2);
   const T A = b * c - e * e, B = a * c - f * f, C = a * b - d * d;
   const T D = e * f - c * d, E = d * f - a * e, F = d * e - b * f;
   const T r = 1.0 / (a * A + d * D + f * F);
-  const T x = M[2][1] - M[1][2], y = M[0][2] - M[2][0], z = M[1][0] - M[0][1];
+  const T x = axial[0], y = axial[1], z = axial[2];
   const T zx = (A * x + D * y + F * z) * r, zy = (D * x + B * y + E * z) * r, zz = (F * x + E * y + C * z) * r;
   Tensor<T, 3> Z;
   Z[0][0] = Z[1][1] = Z[2][2] = T{};
@@ -38,6 +39,16 @@ FEMSPH_INLINE Tensor<T, 3> rotation_couple(const Symmetric<T, 3>& U, const Tenso
   Z[1][0] = -zz;
   Z[0][1] = zz;
   return Z;
+}
+
+template <class T>
+FEMSPH_INLINE Tensor<T, 2> rotation_couple(const Symmetric<T, 2>& U, const Tensor<T, 2>& M) {
+  return axial_couple<T>(U, M[1][0] - M[0][1]);
+}
+template <class T>
+FEMSPH_INLINE Tensor<T, 3> rotation_couple(const Symmetric<T, 3>& U, const Tensor<T, 3>& M) {
+  const T axial[3] = {M[2][1] - M[1][2], M[0][2] - M[2][0], M[1][0] - M[0][1]};
+  return axial_couple<T>(U, axial);
 }
 
 /// P = R (T + Z), with M as above, U = 1 + strain.

@@ -3,6 +3,7 @@
 #include <stdexcept>
 
 #include "fem/cell_loop_impl.hpp"
+#include "fem/one_point.hpp"
 #include "sph/discretize.hpp"
 #include "sph/total_lagrangian.hpp"
 
@@ -28,6 +29,7 @@ std::unique_ptr<CellLoop> plane_loop(const LoopInput& in) {
 }
 std::unique_ptr<CellLoop> make_full_loop(const LoopInput& in) { return plane_loop<FullElement>(in); }
 std::unique_ptr<CellLoop> make_one_point_loop(const LoopInput& in) { return plane_loop<OnePointElement>(in); }
+std::unique_ptr<CellLoop> make_perturbed_loop(const LoopInput&) { absent(); }
 std::unique_ptr<CellLoop> make_sri_loop(const LoopInput&) { absent(); }
 std::unique_ptr<CellLoop> make_assumed_strain_loop(const LoopInput&) { absent(); }
 

@@ -5,6 +5,7 @@
 
 #include "fem/assumed_strain.hpp"
 #include "fem/cell_loop_impl.hpp"
+#include "fem/one_point.hpp"
 #include "fem_support.hpp"
 
 namespace femsph::test {
