@@ -185,6 +185,9 @@ void make_run(const Study& study, const PlannedRun& run, const Engine& engine, c
   RunOptions run_options = options_of(study, run, options);
   RunResult partial;
   run_options.partial = &partial;
+  run_options.warn = [&](const std::string& text) {  // once, however many runs say it
+    if (outcome.warnings.insert(text).second && options.log) options.log("warning: " + text);
+  };
   std::optional<RunResult> result;
   std::string failure;
   try {

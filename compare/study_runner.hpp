@@ -2,6 +2,7 @@
 // Makes the runs of a study and takes its numbers from them.
 
 #include <functional>
+#include <set>
 
 #include "compare/study.hpp"
 
@@ -23,6 +24,7 @@ struct StudyOutcome {
   std::vector<Row> rows;
   std::vector<FinishedRun> runs;  ///< those that finished
   int failures = 0;
+  std::set<std::string> warnings;  ///< of the runs, each once
 };
 
 struct StudyOptions {
