@@ -181,6 +181,23 @@ std::optional<double> read_in_unit(Fields& fields, const char* key, const Unit& 
   return fields.quantity(key, Need::optional, Dimension{unit.name.c_str(), "a number with the unit of the quantity", unit.name.c_str()});
 }
 
+/// reference_file = "reference/x.csv": a history to compare with, in place of a theory.
+std::optional<ReferenceTable> read_table(Fields& fields, const QuantitySpec& quantity, const StudyReading& reading) {
+  const auto file = fields.text("reference_file", Need::optional, "a CSV file, \"time [s],NAME [unit]\" above, beside the study");
+  if (!file) return {};
+  if (quantity.reduce != Reduce::l2 || quantity.observed.probe.empty() || quantity.theory)
+    fields.fault("reference_file", "\"reference_file\" holds a whole history; expected reduce = \"l2\", a \"probe\", and no \"theory\"");
+  std::optional<Quantity> kind;
+  for (const auto& [name, scene] : reading.study.scenes)
+    if (!quantity.scene || *quantity.scene == name) kind = observer(scene.probes, quantity.observed.probe);
+  try {
+    return read_reference_table(reading.study.folder + "/" + *file, kind ? si_unit(*kind) : "m");
+  } catch (const std::runtime_error& e) {
+    fields.fault("reference_file", e.what());
+    return ReferenceTable{};
+  }
+}
+
 void one_quantity(Fields& fields, StudyReading& reading) {
   QuantitySpec quantity;
   quantity.name = fields.text("name", Need::required, "a name for the tables").value_or("");
@@ -198,6 +215,7 @@ void one_quantity(Fields& fields, StudyReading& reading) {
   }
   quantity.sign = fields.choice<SignRule>("sign", Need::optional, signs).value_or(SignRule::as_is);
   quantity.theory = read_theory(fields, quantity.scene, reading.study);
+  quantity.table = read_table(fields, quantity, reading);
   quantity.reference = read_in_unit(fields, "reference", quantity.observed.unit);
   if (const auto offset = read_in_unit(fields, "offset", quantity.observed.unit)) {
     quantity.offset = *offset;
@@ -211,15 +229,15 @@ void one_quantity(Fields& fields, StudyReading& reading) {
   }
   fields.done();
   const bool history_l2 = quantity.reduce == Reduce::l2 && !quantity.observed.probe.empty();  // against a theory over time
-  if (history_l2 && !(quantity.theory && theory_named(*quantity.theory).on_time()))
-    fields.fault("reduce", "l2 of a probe compares its whole history; expected \"theory\" with one that depends on time");
+  if (history_l2 && !quantity.table && !(quantity.theory && theory_named(*quantity.theory).on_time()))
+    fields.fault("reduce", "l2 of a probe compares its whole history; expected \"theory\" with one that depends on time, or \"reference_file\"");
   if (!history_l2 && quantity.observed.section.empty() == of_section(quantity.reduce))
     fields.fault(
         "reduce",
         "\"reduce\" does not fit; expected fibre_upper, fibre_lower, l2 or moment for a section, and one of the others for a probe or an energy");
   if (!history_l2 && quantity.theory && theory_named(*quantity.theory).on_time())
     fields.fault("theory", "a theory that depends on time; expected one value (a history goes into [[series]])");
-  if (quantity.reduce == Reduce::l2 && !quantity.theory && !reading.study.limit && reading.study.limits.empty())
+  if (quantity.reduce == Reduce::l2 && !quantity.theory && !quantity.table && !reading.study.limit && reading.study.limits.empty())
     fields.fault("reduce", "l2 has nothing to compare with; expected \"theory\", or [limit] in the study");
   reading.study.quantities.push_back(quantity);
 }
