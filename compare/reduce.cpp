@@ -200,6 +200,10 @@ Point place_of(const QuantitySpec& quantity, const Scene& scene) {
 
 // The distance of a whole history from theory.
 Reduced history_l2(const QuantitySpec& quantity, const Curve& curve, const Scene& scene) {
+  if (quantity.table) {
+    const double percent = percent_from(*quantity.table, curve.at, curve.value);
+    return {percent, {}, percent, {}, {}};
+  }
   const Theory& theory = theory_named(*quantity.theory);
   const Point at = place_of(quantity, scene);
   std::vector<double> exact;

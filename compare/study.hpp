@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "compare/claims.hpp"
+#include "compare/reference_table.hpp"
 #include "compare/run.hpp"
 #include "compare/verdicts.hpp"
 #include "model/scene/faults.hpp"
@@ -54,6 +55,7 @@ struct QuantitySpec {
   double offset = 0;                  ///< added to the value, in the unit and sign of the table: a length is the first one plus a displacement
   std::optional<std::string> theory;  ///< name of a theory value
   std::optional<double> reference;    ///< in its place: a number, in the unit and sign of the table
+  std::optional<ReferenceTable> table;  ///< in its place, with l2: a whole history
   std::optional<std::string> scene;   ///< only of runs of that scene
   std::vector<std::string> methods;   ///< only of runs with these labels; empty: all
   bool is_of(const PlannedRun& run) const;

@@ -220,6 +220,20 @@ void check_twice(Fields& fields, const QuantitySpec& quantity, const Study& stud
           return fields.fault("name", fmt::format("two quantities of the run {} {} are called {}; expected a name for each", run.case_name, run.label, in_quotes(quantity.name)));
 }
 
+/// reference_file = "reference/x.csv": a history to compare with, in place of a theory.
+std::optional<ReferenceTable> read_table(Fields& fields, const QuantitySpec& quantity, const StudyReading& reading) {
+  const auto file = fields.text("reference_file", Need::optional, "a CSV file, \"time [s],NAME [unit]\" above, beside the study");
+  if (!file) return {};
+  if (quantity.reduce != Reduce::l2 || quantity.observed.probe.empty() || quantity.theory)
+    fields.fault("reference_file", "\"reference_file\" holds a whole history; expected reduce = \"l2\", a \"probe\", and no \"theory\"");
+  try {
+    return read_reference_table(reading.study.folder + "/" + *file, quantity.observed.si);
+  } catch (const std::runtime_error& e) {
+    fields.fault("reference_file", e.what());
+    return ReferenceTable{};
+  }
+}
+
 void one_quantity(Fields& fields, StudyReading& reading) {
   QuantitySpec quantity;
   quantity.name = fields.text("name", Need::required, "a name for the tables").value_or("");
@@ -239,6 +253,7 @@ void one_quantity(Fields& fields, StudyReading& reading) {
   // l2 compares what is read itself; the others what `reduce` makes of it.
   quantity.theory = read_theory(fields, quantity.scene, si.empty() || quantity.reduce == Reduce::l2 ? quantity.observed.si : si,
                                 quantity.reduce == Reduce::l2 && !quantity.observed.probe.empty(), reading.study);
+  quantity.table = read_table(fields, quantity, reading);
   quantity.reference = read_in_unit(fields, "reference", quantity.observed.unit);
   if (const auto offset = read_in_unit(fields, "offset", quantity.observed.unit)) {
     quantity.offset = *offset;
@@ -255,13 +270,13 @@ void one_quantity(Fields& fields, StudyReading& reading) {
   check_fit(fields, quantity);
   check_twice(fields, quantity, reading.study);
   const bool history_l2 = quantity.reduce == Reduce::l2 && !quantity.observed.probe.empty();  // against a theory over time
-  if (history_l2 && !(quantity.theory && theory_named(*quantity.theory).on_time()))
-    fields.fault("reduce", "l2 of a probe compares its whole history; expected \"theory\" with one that depends on time");
+  if (history_l2 && !quantity.table && !(quantity.theory && theory_named(*quantity.theory).on_time()))
+    fields.fault("reduce", "l2 of a probe compares its whole history; expected \"theory\" with one that depends on time, or \"reference_file\"");
   if (!history_l2 && quantity.observed.section.empty() == of_section(quantity.reduce))
     fields.fault(
         "reduce",
         "\"reduce\" does not fit; expected fibre_upper, fibre_lower, l2 or moment for a section, and one of the others for a probe or an energy");
-  if (quantity.reduce == Reduce::l2 && !quantity.theory && !reading.study.limit && reading.study.limits.empty())
+  if (quantity.reduce == Reduce::l2 && !quantity.theory && !quantity.table && !reading.study.limit && reading.study.limits.empty())
     fields.fault("reduce", "l2 has nothing to compare with; expected \"theory\", or [limit] in the study");
   reading.study.quantities.push_back(quantity);
 }
