@@ -30,7 +30,7 @@ class Lump {
           mesh.cells.push_back(cell);
         }
   }
-  CellMesh mesh{3, {}, {}, {}, {}};
+  CellMesh mesh{3, {}, {}, {}, {}, {}, {}};
 
  private:
   int vertex(const Point& p) {
@@ -111,6 +111,12 @@ bool OwnBall::on_side(const std::string& side, const Point& p, double tolerance)
 }
 
 double OwnBall::measure() const { return pi * size_.radius * size_.radius * size_.radius * quarters() / 3; }
+
+/// Of half a ball 3/8 R beyond the plane; a quarter has the same along both axes.
+Point OwnBall::centroid() const {
+  const double beyond = 0.375 * size_.radius;
+  return place(size_.part == Part::quarter ? beyond : 0, size_.part == Part::whole ? 0 : beyond, 0);
+}
 
 std::string OwnBall::describe() const {
   const char* part = size_.part == Part::whole ? "" : size_.part == Part::half ? "half " : "quarter ";
