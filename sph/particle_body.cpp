@@ -31,6 +31,31 @@ std::vector<Weight> scaled_to_one(std::vector<Weight> out) {
   return out;
 }
 
+/// The particle itself, or the one that it mirrors.
+std::size_t own_of(const Particles& p, int particle) {
+  const std::size_t i = std::size_t(particle);
+  return i < p.size() ? i : p.mirrored[i - p.size()].of;
+}
+
+/// Calls take(place, phi) for the corners of the lattice's cell around x.
+template <class Take>
+void each_hat(const Particles& p, const Point& x, Take&& take) {
+  const Lattice& lattice = p.lattice;
+  std::array<int, 3> cell{};
+  Point part{};
+  for (int a = 0; a < p.dim; ++a) {
+    const double t = (x[a] - lattice.origin[a]) / lattice.spacing[a];
+    cell[a] = int(std::floor(t));
+    part[a] = t - cell[a];
+  }
+  for (int v = 0; v < 1 << p.dim; ++v) {
+    double phi = 1;
+    std::array<int, 3> at = cell;
+    for (int a = 0; a < p.dim; ++a) phi *= v >> a & 1 ? part[a] : 1 - part[a], at[a] += v >> a & 1;
+    if (phi > 1e-12) take(at, phi);
+  }
+}
+
 }  // namespace
 
 ParticleBody::ParticleBody(const Scene& scene, std::size_t body, const Options& options, Particles particles, const Kernel& kernel)
@@ -122,38 +147,36 @@ void ParticleBody::share_out(const SidePiece& piece, std::vector<PointArea>& out
     }
     out.push_back({own, area});
   };
-  std::array<int, 3> cell{};
-  Point part{};
-  for (int a = 0; a < particles_.dim; ++a) {
-    const double t = (piece.at[a] - lattice.origin[a]) / lattice.spacing[a];
-    cell[a] = int(std::floor(t));
-    part[a] = t - cell[a];
-  }
-  for (int v = 0; v < 1 << particles_.dim; ++v) {
-    double phi = 1;
-    std::array<int, 3> at = cell;
-    for (int a = 0; a < particles_.dim; ++a) phi *= v >> a & 1 ? part[a] : 1 - part[a], at[a] += v >> a & 1;
-    if (phi < 1e-12) continue;
-    if (const int particle = lattice.particle(at[0], at[1], at[2]); particle >= 0) {
-      give(particle, phi);
-      continue;
-    }
+  each_hat(particles_, piece.at, [&](const std::array<int, 3>& at, double phi) {
+    if (const int particle = lattice.particle(at[0], at[1], at[2]); particle >= 0) return give(particle, phi);
     const auto particle_at = [&](const std::array<int, 3>& p) { return lattice.particle(p[0], p[1], p[2]); };
     for (const auto& [heir, factor] : heirs(particles_.dim, at, particle_at, [&](int p) { return particles_.volume[std::size_t(p)]; }))
       give(heir, phi * factor);
-  }
+  });
 }
 
-/// The particles whose cells a side cuts, with its area in them; of several sides those that all of them cut. A part too small to hold anything goes
-/// to the nearest of the others. Empty if the lattice lies on the sides, or a side has no area.
+/// The particles whose cells a side cuts. They share its area by the hat functions of the lattice; what these give to others goes to the particle in whose
+/// cell the piece lies. Of several sides those that all of them cut. Empty if the body is a box, or a side has no area.
 std::vector<Weight> ParticleBody::layer_at(const Place& place) const {
   if (!steps_ || place.sides.empty()) return {};
   std::vector<double> area(particles_.size(), std::numeric_limits<double>::infinity());
   for (const std::string& side : place.sides) {
+    const std::vector<SidePiece> pieces = shape_->side_pieces(side, 0.05 * particles_.spacing);
+    const auto left_out = [&](const SidePiece& piece) { return place.within && !place.within->contains(piece.at, 0.0); };
+    std::vector<char> cut(particles_.size(), 0);
+    for (const SidePiece& piece : pieces)
+      if (!left_out(piece)) cut[owner_of(piece.at)] = 1;
     std::vector<double> mine(particles_.size(), 0.0);
-    for (const SidePiece& piece : shape_->side_pieces(side, 0.1 * particles_.spacing))
-      if (!place.within || place.within->contains(piece.at, 0.0)) mine[owner_of(piece.at)] += piece.size;
-    for (std::size_t i = 0; i < area.size(); ++i) area[i] = std::min(area[i], mine[i]);
+    for (const SidePiece& piece : pieces) {
+      if (left_out(piece)) continue;
+      const std::size_t owner = owner_of(piece.at);
+      each_hat(particles_, piece.at, [&](const std::array<int, 3>& at, double phi) {
+        const int particle = particles_.lattice.particle(at[0], at[1], at[2]);
+        const std::size_t own = particle < 0 ? owner : own_of(particles_, particle);
+        mine[cut[own] ? own : owner] += phi * piece.size;
+      });
+    }
+    for (std::size_t i = 0; i < area.size(); ++i) area[i] = std::min(area[i], cut[i] ? mine[i] : 0.0);
   }
   std::vector<Weight> out;
   for (std::size_t i = 0; i < area.size(); ++i)
@@ -166,11 +189,7 @@ std::size_t ParticleBody::owner_of(const Point& x) const {
   const Lattice& lattice = particles_.lattice;
   std::array<int, 3> at{};
   for (int a = 0; a < particles_.dim; ++a) at[a] = int(std::lround((x[a] - lattice.origin[a]) / lattice.spacing[a]));
-  const auto own = [&](int particle) {
-    const std::size_t p = std::size_t(particle);
-    return p < particles_.size() ? p : particles_.mirrored[p - particles_.size()].of;
-  };
-  if (const int particle = lattice.particle(at[0], at[1], at[2]); particle >= 0) return own(particle);
+  if (const int particle = lattice.particle(at[0], at[1], at[2]); particle >= 0) return own_of(particles_, particle);
   std::size_t nearest = 0;
   double best = std::numeric_limits<double>::infinity();
   const auto look = [&](std::size_t p) {
@@ -181,7 +200,7 @@ std::size_t ParticleBody::owner_of(const Point& x) const {
   for (int k = -levels; k <= levels; ++k)
     for (int j = -2; j <= 2; ++j)
       for (int i = -2; i <= 2; ++i)
-        if (const int particle = lattice.particle(at[0] + i, at[1] + j, at[2] + k); particle >= 0) look(own(particle));
+        if (const int particle = lattice.particle(at[0] + i, at[1] + j, at[2] + k); particle >= 0) look(own_of(particles_, particle));
   for (std::size_t p = 0; p < particles_.size() && !std::isfinite(best); ++p) look(p);
   return nearest;
 }
