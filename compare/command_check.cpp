@@ -5,6 +5,7 @@
 
 #include "compare/capacity.hpp"
 #include "compare/commands.hpp"
+#include "model/motion/mass_properties.hpp"
 #include "model/numerics/parallel.hpp"
 #include "model/results/price.hpp"
 #include "model/scene/reader.hpp"
@@ -19,12 +20,13 @@ void print_scene(const Scene& scene) {
   line("plane", scene.plane == Plane::stress ? "plane stress" : scene.plane == Plane::strain ? "plane strain" : "none: three-dimensional");
   for (const Body& body : scene.bodies) {
     if (body.rigid) {
-      line("body " + body.name, fmt::format("rigid {}, {:.6g} kg", body.shape->describe(), body.mass));
+      line("body " + body.name, fmt::format("rigid {}", body.shape->describe()));
+      line("mass of " + body.name, to_text(mass_of(scene, std::size_t(&body - scene.bodies.data())), scene.dim()));
       continue;
     }
     const Material& m = scene.material_of(body);
     line("body " + body.name, fmt::format("{}, {} (E {:.4g} GPa, nu {:g}, rho {:g} kg/m3)", body.shape->describe(), m.name, m.young / 1e9, m.poisson, m.density));
-    line("mass of " + body.name, fmt::format("{:.6g} kg", body.shape->measure() * (scene.dim() == 2 ? body.thickness : 1.0) * m.density));
+    line("mass of " + body.name, to_text(mass_of(scene, std::size_t(&body - scene.bodies.data())), scene.dim()));
   }
   line("supports, loads", fmt::format("{}, {}", scene.supports.size(), scene.loads.size()));
   line("probes, sections", fmt::format("{}, {}", scene.probes.size(), scene.sections.size()));

@@ -58,7 +58,8 @@ Method method_named(const std::string& name) {
 
 const std::vector<std::pair<std::string, std::string>>& run_scalars() {
   static const std::vector<std::pair<std::string, std::string>> list = {{"surface_weight_loss", "1"}, {"critical_step", "s"}, {"energy_drift", "1"},
-                                                                        {"momentum_drift", "1"}, {"angular_momentum_drift", "1"}, {"hourglass_share", "1"}};
+                                                                        {"momentum_drift", "1"}, {"angular_momentum_drift", "1"}, {"hourglass_share", "1"},
+                                                                        {"mass_error", "1"}, {"centroid_error", "1"}};
   return list;
 }
 

@@ -8,6 +8,7 @@
 #include "compare/capacity.hpp"
 #include "compare/run_output.hpp"
 #include "model/motion/conservation.hpp"
+#include "model/motion/mass_properties.hpp"
 
 namespace femsph::compare {
 
@@ -60,10 +61,12 @@ std::vector<std::pair<std::string, std::string>> derived_values(const March& mar
   for (const MovingBody& body : march.bodies()) {
     out.emplace_back("body " + body.name, body.discretization->describe());
     out.emplace_back(body.name + " " + body.discretization->unit_name() + "s", fmt::format("{}", body.discretization->units()));
+    out.emplace_back(body.name + " weighs", to_text(mass_of(*body.discretization), march.scene().dim()));
+    out.emplace_back(body.name + " should weigh", to_text(mass_of(march.scene(), body.index), march.scene().dim()));
     out.emplace_back(body.name + " wave speed", fmt::format("{:.6g} m/s", body.discretization->wave_speed()));
   }
   for (const RigidBody& body : march.rigid_bodies())
-    out.emplace_back("body " + body.name, fmt::format("rigid {}, {:.6g} kg", body.shape->describe(), body.mass));
+    out.emplace_back("body " + body.name, fmt::format("rigid {}, {}", body.shape->describe(), to_text({body.mass, body.shape->centroid()}, march.scene().dim())));
   for (const ContactPair& pair : march.contacts()) {
     out.emplace_back("contact " + pair.contact().name, fmt::format("penalty {:.4g} Pa/m, friction {:g}", pair.stiffness(), pair.contact().friction));
     if (march.step() > 0)
@@ -118,6 +121,12 @@ RunResult result_of(const March& march, const Recorder& recorder, const std::opt
   r.balance = recorder.balance();
   for (const MovingBody& body : march.bodies()) r.points += body.discretization->layout().points;
   r.scalars["critical_step"] = march.critical_step();
+  for (const char* name : {"mass_error", "centroid_error"}) r.scalars[name] = 0;
+  for (const MovingBody& body : march.bodies()) {  // of the worst
+    const MassError error = mass_error(march.scene(), body.index, *body.discretization);
+    if (std::abs(error.mass) > std::abs(r.scalars["mass_error"])) r.scalars["mass_error"] = error.mass;
+    r.scalars["centroid_error"] = std::max(r.scalars["centroid_error"], error.centre);
+  }
   if (conservation) {
     const Drift drift = conservation->drift();
     r.scalars["energy_drift"] = drift.energy;

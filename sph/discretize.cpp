@@ -24,7 +24,7 @@ std::unique_ptr<Discretization> discretize(const Scene& scene, std::size_t body,
   const bool has_bars = std::any_of(scene.bars.begin(), scene.bars.end(), [&](const Bar& bar) { return bar.body == body; });
   if (classic && scene.large_motion && (has_bars || !planes.empty()))
     throw Refusal("symmetry planes and bars stand on initial neighbours; classic SPH with large motion cannot use them");
-  Particles particles = is_fitted(shape, options) ? fill_fitted(shape, options, planes) : fill(shape, options, planes);
+  Particles particles = fill_best(shape, options, planes);
   const Kernel kernel(options.kernel, shape.dim(), options.smoothing * particles.spacing);
   add_mirrored(particles, planes, kernel.radius());
   if (classic && scene.large_motion)

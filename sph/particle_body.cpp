@@ -6,8 +6,10 @@
 #include <cmath>
 #include <numeric>
 
+#include "model/motion/vectors.hpp"
 #include "model/numerics/array.hpp"
 #include "model/numerics/least_squares.hpp"
+#include "sph/partial_volumes.hpp"
 
 namespace femsph::sph {
 
@@ -21,6 +23,37 @@ std::size_t reach(const Particles& p, const Kernel& kernel) {
     step *= std::size_t(p.lattice.count[a]);
   }
   return far;
+}
+
+std::vector<Weight> scaled_to_one(std::vector<Weight> out) {
+  const double sum = std::accumulate(out.begin(), out.end(), 0.0, [](double s, const Weight& w) { return s + w.weight; });
+  for (Weight& w : out) w.weight /= sum;
+  return out;
+}
+
+/// The particle itself, or the one that it mirrors.
+std::size_t own_of(const Particles& p, int particle) {
+  const std::size_t i = std::size_t(particle);
+  return i < p.size() ? i : p.mirrored[i - p.size()].of;
+}
+
+/// Calls take(place, phi) for the corners of the lattice's cell around x.
+template <class Take>
+void each_hat(const Particles& p, const Point& x, Take&& take) {
+  const Lattice& lattice = p.lattice;
+  std::array<int, 3> cell{};
+  Point part{};
+  for (int a = 0; a < p.dim; ++a) {
+    const double t = (x[a] - lattice.origin[a]) / lattice.spacing[a];
+    cell[a] = int(std::floor(t));
+    part[a] = t - cell[a];
+  }
+  for (int v = 0; v < 1 << p.dim; ++v) {
+    double phi = 1;
+    std::array<int, 3> at = cell;
+    for (int a = 0; a < p.dim; ++a) phi *= v >> a & 1 ? part[a] : 1 - part[a], at[a] += v >> a & 1;
+    if (phi > 1e-12) take(at, phi);
+  }
 }
 
 }  // namespace
@@ -37,6 +70,7 @@ ParticleBody::ParticleBody(const Scene& scene, std::size_t body, const Options& 
   bars_.add_mass(mass_);
   bars_text_ = femsph::describe(rows, scene);
   const std::size_t padding = reach(particles_, kernel);
+  steps_ = particles_.cells.empty() && !dynamic_cast<const Box*>(shape_.get());
   layout_.points = particles_.size();
   layout_.dim = particles_.dim;
   layout_.point_stride = 1;
@@ -56,6 +90,13 @@ std::size_t ParticleBody::bytes() const {
          particles_.lattice.place.size() * sizeof(std::array<int, 3>);
 }
 
+std::vector<std::string> ParticleBody::warnings() const {
+  return particles_.note.empty() ? std::vector<std::string>{} : std::vector<std::string>{particles_.note};
+}
+
+/// A lattice has particles outside of the body too; none of these is on a side that the lattice meets.
+bool ParticleBody::in_body(std::size_t i) const { return !steps_ || shape_->contains(particles_.position[i], 1e-6 * particles_.spacing); }
+
 std::vector<Weight> ParticleBody::points_of(const Place& place) const {
   std::vector<Weight> out;
   if (place.point) {
@@ -68,19 +109,116 @@ std::vector<Weight> ParticleBody::points_of(const Place& place) const {
     }
     return {{nearest, 1.0}};
   }
-  // On a lattice that misses a curved or slanted side the nearest layer stands for it.
+  if (const std::vector<Weight> layer = layer_at(place); !layer.empty()) return layer;
+  // A side without area on a lattice that misses it: the nearest layer stands for it.
   for (double tolerance : {1e-6 * particles_.spacing, 0.51 * particles_.spacing}) {
     for (std::size_t i = 0; i < particles_.size(); ++i) {
       const bool on = std::all_of(place.sides.begin(), place.sides.end(),
                                   [&](const std::string& side) { return shape_->on_side(side, particles_.position[i], tolerance); });
-      if (on && (!place.within || place.within->contains(particles_.position[i], 1e-6 * particles_.spacing)))
+      if (on && in_body(i) && (!place.within || place.within->contains(particles_.position[i], 1e-6 * particles_.spacing)))
         out.push_back({i, particles_.own_volume(i) * (place.within ? share_within(*place.within, i) : 1.0)});
     }
     if (!out.empty()) break;
   }
-  const double sum = std::accumulate(out.begin(), out.end(), 0.0, [](double s, const Weight& w) { return s + w.weight; });
-  for (Weight& w : out) w.weight /= sum;
-  return out;
+  if (!particles_.cells.empty() && place.sides.size() == 1 && !place.within) weigh_by_area(out);
+  return scaled_to_one(out);
+}
+
+std::vector<PointArea> ParticleBody::outward_areas(const Place& place) const {
+  std::vector<PointArea> out;
+  const double size = 0.2 * particles_.spacing;
+  if (steps_ && place.sides.size() == 1)
+    for (const SidePiece& piece : shape_->side_pieces(place.sides[0], size))
+      if (dot(piece.area, piece.area) > 0 && (!place.within || place.within->contains(piece.at, 0.0))) share_out(piece, out);
+  if (!out.empty()) return out;
+  return Discretization::outward_areas(place);
+}
+
+/// By the hat functions of the lattice, so that force and moment are those of the piece; see partial_volumes.hpp.
+void ParticleBody::share_out(const SidePiece& piece, std::vector<PointArea>& out) const {
+  const Lattice& lattice = particles_.lattice;
+  const auto give = [&](int particle, double factor) {
+    Point area = factor * piece.area;
+    std::size_t own = std::size_t(particle);
+    if (own >= particles_.size()) {
+      const Mirrored& image = particles_.mirrored[own - particles_.size()];
+      for (int c = 0; c < 3; ++c) area[c] *= image.sign[c];
+      own = image.of;
+    }
+    out.push_back({own, area});
+  };
+  each_hat(particles_, piece.at, [&](const std::array<int, 3>& at, double phi) {
+    if (const int particle = lattice.particle(at[0], at[1], at[2]); particle >= 0) return give(particle, phi);
+    const auto particle_at = [&](const std::array<int, 3>& p) { return lattice.particle(p[0], p[1], p[2]); };
+    for (const auto& [heir, factor] : heirs(particles_.dim, at, particle_at, [&](int p) { return particles_.volume[std::size_t(p)]; }))
+      give(heir, phi * factor);
+  });
+}
+
+/// The particles whose cells a side cuts. They share its area by the hat functions of the lattice; what these give to others goes to the particle in whose
+/// cell the piece lies. Of several sides those that all of them cut. Empty if the body is a box, or a side has no area.
+std::vector<Weight> ParticleBody::layer_at(const Place& place) const {
+  if (!steps_ || place.sides.empty()) return {};
+  std::vector<double> area(particles_.size(), std::numeric_limits<double>::infinity());
+  for (const std::string& side : place.sides) {
+    const std::vector<SidePiece> pieces = shape_->side_pieces(side, 0.05 * particles_.spacing);
+    const auto left_out = [&](const SidePiece& piece) { return place.within && !place.within->contains(piece.at, 0.0); };
+    std::vector<char> cut(particles_.size(), 0);
+    for (const SidePiece& piece : pieces)
+      if (!left_out(piece)) cut[owner_of(piece.at)] = 1;
+    std::vector<double> mine(particles_.size(), 0.0);
+    for (const SidePiece& piece : pieces) {
+      if (left_out(piece)) continue;
+      const std::size_t owner = owner_of(piece.at);
+      each_hat(particles_, piece.at, [&](const std::array<int, 3>& at, double phi) {
+        const int particle = particles_.lattice.particle(at[0], at[1], at[2]);
+        const std::size_t own = particle < 0 ? owner : own_of(particles_, particle);
+        mine[cut[own] ? own : owner] += phi * piece.size;
+      });
+    }
+    for (std::size_t i = 0; i < area.size(); ++i) area[i] = std::min(area[i], cut[i] ? mine[i] : 0.0);
+  }
+  std::vector<Weight> out;
+  for (std::size_t i = 0; i < area.size(); ++i)
+    if (area[i] > 0) out.push_back({i, area[i]});
+  return scaled_to_one(out);
+}
+
+/// The body's own particle in whose cell x lies, or the nearest if that place has none.
+std::size_t ParticleBody::owner_of(const Point& x) const {
+  const Lattice& lattice = particles_.lattice;
+  std::array<int, 3> at{};
+  for (int a = 0; a < particles_.dim; ++a) at[a] = int(std::lround((x[a] - lattice.origin[a]) / lattice.spacing[a]));
+  if (const int particle = lattice.particle(at[0], at[1], at[2]); particle >= 0) return own_of(particles_, particle);
+  std::size_t nearest = 0;
+  double best = std::numeric_limits<double>::infinity();
+  const auto look = [&](std::size_t p) {
+    const Point off = particles_.position[p] - x;
+    if (const double r = dot(off, off); r < best) best = r, nearest = p;
+  };
+  const int levels = particles_.dim == 3 ? 2 : 0;
+  for (int k = -levels; k <= levels; ++k)
+    for (int j = -2; j <= 2; ++j)
+      for (int i = -2; i <= 2; ++i)
+        if (const int particle = lattice.particle(at[0] + i, at[1] + j, at[2] + k); particle >= 0) look(own_of(particles_, particle));
+  for (std::size_t p = 0; p < particles_.size() && !std::isfinite(best); ++p) look(p);
+  return nearest;
+}
+
+/// The area of the facets between the points of a fitted body's side, in equal parts to these.
+void ParticleBody::weigh_by_area(std::vector<Weight>& points) const {
+  std::vector<double> area(particles_.size(), 0.0);
+  std::vector<char> there(particles_.size(), 0);
+  for (const Weight& w : points) there[w.point] = 1;
+  const int corners = 2 * (particles_.dim - 1);
+  for (const Facet& f : boundary()) {
+    if (!std::all_of(f.points.begin(), f.points.begin() + corners, [&](std::size_t p) { return there[p]; })) continue;
+    const auto& x = particles_.position;
+    const Point vector = particles_.dim == 2 ? x[f.points[1]] - x[f.points[0]] : 0.5 * cross(x[f.points[2]] - x[f.points[0]], x[f.points[3]] - x[f.points[1]]);
+    for (int k = 0; k < corners; ++k) area[f.points[std::size_t(k)]] += norm(vector) / corners;
+  }
+  if (std::any_of(points.begin(), points.end(), [&](const Weight& w) { return area[w.point] == 0; })) return;  // an inner side, or one without area
+  for (Weight& w : points) w.weight = area[w.point];
 }
 
 /// Share of a particle's cell, as far as it lies in the body, that lies in the region; directions in which the region is flat do not count.

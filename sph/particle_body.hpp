@@ -25,8 +25,12 @@ class ParticleBody : public Discretization {
   double wave_speed() const override { return wave_speed_; }
   std::size_t bytes() const override;
 
-  /// Particles of a place; a force is shared in proportion to their volumes.
+  std::vector<std::string> warnings() const override;
+
+  /// Particles of a place. Where they lie on it a force is shared in proportion to their volumes (of a fitted body to the area of its facets);
+  /// a side that cuts a lattice has the layer of particles whose cells it cuts, each with its area there.
   std::vector<Weight> points_of(const Place& place) const override;
+  std::vector<PointArea> outward_areas(const Place& place) const override;
   /// The particle at p itself; between particles, a moving least-squares fit that reproduces linear fields.
   std::vector<Weight> interpolation(const Point& p) const override;
   std::vector<Weight> material_interpolation(const Point& p) const override { return interpolation(p); }
@@ -56,6 +60,12 @@ class ParticleBody : public Discretization {
  private:
   const double* fill_mirrored(const double* u) const;
   double share_within(const Region& region, std::size_t i) const;
+  std::vector<Weight> layer_at(const Place& place) const;
+  std::size_t owner_of(const Point& x) const;
+  void share_out(const SidePiece& piece, std::vector<PointArea>& out) const;
+  void weigh_by_area(std::vector<Weight>& points) const;
+  bool in_body(std::size_t i) const;
+  bool steps_ = false;  ///< a lattice in a body that is no box: its sides cut cells
   std::vector<double> mass_;
   mutable AlignedVector<double> mirrored_;
   std::string bars_text_;

@@ -9,26 +9,20 @@
 #include <stdexcept>
 
 #include "model/numerics/simd.hpp"
+#include "sph/partial_volumes.hpp"
 
 namespace femsph::sph {
 
 namespace {
 
-/// Share of the lattice cell around p that lies in the shape: half on a face, a quarter on an edge of a box.
-double fraction_inside(const Shape& shape, const Point& p, const Point& spacing, const std::vector<MirrorPlane>& planes) {
-  const int dim = shape.dim(), cuts = 8;
-  int inside = 0, all = 0;
-  for (int k = 0; k < (dim == 3 ? cuts : 1); ++k)
-    for (int j = 0; j < cuts; ++j)
-      for (int i = 0; i < cuts; ++i) {
-        Point s{p[0] + ((i + 0.5) / cuts - 0.5) * spacing[0], p[1] + ((j + 0.5) / cuts - 0.5) * spacing[1],
-                      dim == 3 ? p[2] + ((k + 0.5) / cuts - 0.5) * spacing[2] : 0.0};
-        for (const MirrorPlane& m : planes)
-          if (m.upper ? s[m.axis] > m.at : s[m.axis] < m.at) s[m.axis] = 2 * m.at - s[m.axis];
-        inside += shape.contains(s, 0.0);
-        ++all;
-      }
-  return double(inside) / all;
+constexpr double least_share_outside = 0.2, least_share_inside = 1e-3;  ///< of a cell
+
+/// Of a particle's volume: a half belongs to the body on a symmetry plane, a quarter on two.
+double part_of(const Point& x, double spacing, const std::vector<MirrorPlane>& planes) {
+  double part = 1;
+  for (const MirrorPlane& m : planes)
+    if (std::abs(x[m.axis] - m.at) < 1e-6 * spacing) part *= 0.5;
+  return part;
 }
 
 bool deep_inside(const Lattice& lattice, const std::array<int, 3>& at, int dim) {
@@ -43,16 +37,43 @@ bool deep_inside(const Lattice& lattice, const std::array<int, 3>& at, int dim) 
 /// The share rule counts particles as the body with its images would: those on a plane belong to it by half.
 void give_volumes(Particles& p, const Shape& shape, MassRule rule, const std::vector<MirrorPlane>& planes) {
   p.part.assign(p.size(), 1.0);
-  for (const MirrorPlane& m : planes)
-    for (std::size_t i = 0; i < p.size(); ++i)
-      if (std::abs(p.position[i][m.axis] - m.at) < 1e-6 * p.spacing) p.part[i] *= 0.5;
+  for (std::size_t i = 0; i < p.size(); ++i) p.part[i] = part_of(p.position[i], p.spacing, planes);
   double count = 0;
   for (double part : p.part) count += part;
   const double share = shape.measure() / count;
   p.volume.assign(p.size(), rule == MassRule::share ? share : p.cell);
-  if (rule != MassRule::trapezoid) return;
-  for (std::size_t i = 0; i < p.size(); ++i)
-    if (!deep_inside(p.lattice, p.lattice.place[i], p.dim)) p.volume[i] = p.cell * fraction_inside(shape, p.position[i], p.lattice.spacing, planes);
+}
+
+std::size_t slot_of(const Lattice& lattice, const std::array<int, 3>& at) {
+  return std::size_t(at[0]) + std::size_t(lattice.count[0]) * (std::size_t(at[1]) + std::size_t(lattice.count[1]) * std::size_t(at[2]));
+}
+
+/// Mirrors a place beyond a symmetry plane back into the body.
+std::array<int, 3> folded(std::array<int, 3> at, const Lattice& lattice, const std::vector<MirrorPlane>& planes) {
+  for (const MirrorPlane& m : planes) {
+    const int side = m.upper ? lattice.count[m.axis] - 1 : 0;
+    if (m.upper ? at[m.axis] > side : at[m.axis] < side) at[m.axis] = 2 * side - at[m.axis];
+  }
+  return at;
+}
+
+/// What a place without a particle stands for goes to particles next to it, with its first moment.
+void hand_over(Particles& p, const PartialVolumes& volumes, const std::vector<MirrorPlane>& planes) {
+  const Lattice& lattice = p.lattice;
+  std::vector<double> more(p.size(), 0.0);
+  std::size_t slot = 0;
+  for (int k = 0; k < lattice.count[2]; ++k)
+    for (int j = 0; j < lattice.count[1]; ++j)
+      for (int i = 0; i < lattice.count[0]; ++i, ++slot) {
+        if (lattice.at[slot] >= 0 || volumes.share[slot] == 0) continue;
+        const auto particle = [&](const std::array<int, 3>& at) {
+          const auto place = folded(at, lattice, planes);
+          return lattice.particle(place[0], place[1], place[2]);
+        };
+        for (const auto& [heir, factor] : heirs(p.dim, {i, j, k}, particle, [&](int particle) { return p.volume[std::size_t(particle)]; }))
+          more[std::size_t(heir)] += factor * volumes.share[slot] * p.cell / p.part[std::size_t(heir)];
+      }
+  for (std::size_t i = 0; i < p.size(); ++i) p.volume[i] += more[i];
 }
 
 /// Numbers the particles slab by slab, a slab being eight of them thick along x; within it rows along x come first as before. Lists reach their
@@ -79,42 +100,62 @@ void number_by_slabs(Particles& p) {
 
 }  // namespace
 
+Lattice lattice_over(const Shape& shape, double spacing) {
+  Lattice lattice;
+  lattice.origin = shape.lower();
+  const Point upper = shape.upper();
+  double places = 1;
+  for (int a = 0; a < shape.dim(); ++a) {
+    const double length = upper[a] - lattice.origin[a];
+    const double cells = std::round(length / spacing);
+    if (!(cells >= 1))
+      throw Refusal(fmt::format("a spacing of {:g} mm does not fit a body {:g} mm long along {}; the spacing must be at most that length",
+                                           spacing * 1e3, length * 1e3, "xyz"[a]));
+    places *= cells + 1;
+    if (places > 5e8)
+      throw std::runtime_error(fmt::format("a spacing of {:g} mm asks for more than {:.1e} particles (about {:.0f} GB); take a coarser one", spacing * 1e3,
+                                           places, places * 300e-9));
+    lattice.count[a] = int(cells) + 1;
+    lattice.spacing[a] = length / cells;
+  }
+  lattice.at.assign(std::size_t(lattice.count[0]) * lattice.count[1] * lattice.count[2], -1);
+  return lattice;
+}
+
 Particles fill(const Shape& shape, const Options& options, const std::vector<MirrorPlane>& planes) {
   Particles p;
   p.dim = shape.dim();
   Lattice& lattice = p.lattice;
-  lattice.origin = shape.lower();
-  const Point upper = shape.upper();
+  lattice = lattice_over(shape, options.spacing);
   p.cell = 1;
-  double places = 1;
   for (int a = 0; a < p.dim; ++a) {
-    const double length = upper[a] - lattice.origin[a];
-    const double cells = std::round(length / options.spacing);
-    if (!(cells >= 1))
-      throw Refusal(fmt::format("a spacing of {:g} mm does not fit a body {:g} mm long along {}; the spacing must be at most that length",
-                                           options.spacing * 1e3, length * 1e3, "xyz"[a]));
-    places *= cells + 1;
-    if (places > 5e8)
-      throw std::runtime_error(fmt::format("a spacing of {:g} mm asks for more than {:.1e} particles (about {:.0f} GB); take a coarser one", options.spacing * 1e3,
-                                           places, places * 300e-9));
-    lattice.count[a] = int(cells) + 1;
-    lattice.spacing[a] = length / cells;
     p.cell *= lattice.spacing[a];
     p.spacing = a == 0 ? lattice.spacing[a] : std::min(p.spacing, lattice.spacing[a]);
   }
-  lattice.at.assign(std::size_t(lattice.count[0]) * lattice.count[1] * lattice.count[2], -1);
+  const bool partial = options.mass == MassRule::trapezoid;
+  const PartialVolumes volumes = partial ? partial_volumes(shape, lattice, planes) : PartialVolumes{};
+  // Particles are the places in the body; with partial volumes those outside too that stand for a good part of a cell in it.
+  const auto belongs = [&](std::size_t slot, const Point& x) {
+    if (!partial) return shape.contains(x, 1e-6 * p.spacing);
+    const double share = volumes.share[slot] / part_of(x, p.spacing, planes);
+    return share >= least_share_outside || (share > least_share_inside && shape.contains(x, 1e-6 * p.spacing));
+  };
   std::size_t slot = 0;
   for (int k = 0; k < lattice.count[2]; ++k)
     for (int j = 0; j < lattice.count[1]; ++j)
       for (int i = 0; i < lattice.count[0]; ++i, ++slot) {
         const Point x{lattice.origin[0] + i * lattice.spacing[0], lattice.origin[1] + j * lattice.spacing[1], lattice.origin[2] + k * lattice.spacing[2]};
-        if (!shape.contains(x, 1e-6 * p.spacing)) continue;
+        if (!belongs(slot, x)) continue;
         lattice.at[slot] = int(p.position.size());
         lattice.place.push_back({i, j, k});
         p.position.push_back(x);
       }
   if (p.position.empty()) throw Refusal(fmt::format("no particle of spacing {:g} mm lies in the body; take a finer spacing", options.spacing * 1e3));
   give_volumes(p, shape, options.mass, planes);
+  if (partial) {
+    for (std::size_t i = 0; i < p.size(); ++i) p.volume[i] = p.cell * (volumes.share[slot_of(lattice, lattice.place[i])] / p.part[i]);
+    hand_over(p, volumes, planes);
+  }
   if (options.jitter > 0) {
     p.regular = false;
     std::mt19937_64 random(20090924);

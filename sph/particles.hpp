@@ -2,6 +2,8 @@
 // A body filled with particles: a lattice that starts on the body's surface, rows along x first, so that neighbours are near in memory; jittered: in slabs (number_by_slabs).
 
 #include <array>
+#include <optional>
+#include <string>
 #include <vector>
 
 #include "model/scene/scene.hpp"
@@ -46,6 +48,7 @@ struct Particles {
   std::vector<Mirrored> mirrored;   ///< the last of `position`
   Lattice lattice;
   std::vector<std::array<int, 8>> cells;  ///< of a fitted body in place of the lattice: the particles are their corners (lexicographic)
+  std::string note;                 ///< what the user should know of the filling; empty: nothing
   bool regular = true;              ///< false once jittered: the lattice then only says which particles are where; and when fitted
   std::size_t size() const { return position.size() - mirrored.size(); }  ///< of the body's own
   double own_volume(std::size_t i) const { return volume[i] * part[i]; }
@@ -56,11 +59,18 @@ struct Particles {
 /// Volumes are those in the body with its mirror images: beyond a symmetry plane it goes on.
 Particles fill(const Shape& shape, const Options& options, const std::vector<MirrorPlane>& planes = {});
 
-/// The particles of a shape that cuts itself into cells (rings, cylinders, ..) are the corners of these: those on a side lie on it. Volumes are
-/// what the cells' shape functions integrate to (`trapezoid`), or as in fill().
-Particles fill_fitted(const Shape& shape, const Options& options, const std::vector<MirrorPlane>& planes = {});
-/// The shape cuts itself into cells, and the options do not ask for the lattice.
+/// The particles of a shape that has cells, or cuts itself into some (meshes, rings, cylinders, ..), are the corners of these, cut to the spacing:
+/// those on a side lie on it. Volumes are what the cells' shape functions integrate to (`trapezoid`), or as in fill().
+/// Empty if the cells do not suit the spacing; then `why`.
+std::optional<Particles> fill_fitted(const Shape& shape, const Options& options, const std::vector<MirrorPlane>& planes, std::string& why);
+/// The shape has cells or cuts itself into some, and the options do not ask for the lattice.
 bool is_fitted(const Shape& shape, const Options& options);
+/// As fitted as the shape allows, else on the lattice; its `note` says why if that is not what the options ask for.
+Particles fill_best(const Shape& shape, const Options& options, const std::vector<MirrorPlane>& planes = {});
+
+/// A body's own cells cut into pieces of about `spacing`, conformingly: opposite edges of a cell have one number of pieces, and so on from cell to
+/// cell. Empty if some piece's edge would then be outside of what one smoothing length suits; then `why`.
+std::optional<CellMesh> cut_to_spacing(const CellMesh& mesh, double spacing, std::string& why);
 
 /// Adds the mirror images of the particles within `radius` of each plane, corners of two planes included.
 /// Throws std::runtime_error if two opposite planes are nearer than that.

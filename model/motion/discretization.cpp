@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "model/motion/vectors.hpp"
+
 namespace femsph {
 
 double von_mises(const std::array<double, 6>& s) {
@@ -13,6 +15,25 @@ double von_mises(const std::array<double, 6>& s) {
 void Discretization::damping_matrix(const double*, double* y) const { std::fill_n(y, layout().size, 0.0); }
 
 std::vector<Facet> Discretization::boundary() const { return boundary_of(topology()); }
+
+std::vector<PointArea> Discretization::outward_areas(const Place& place) const {
+  const std::vector<Weight> points = points_of(place);
+  const auto there = [&](std::size_t p) {
+    return std::binary_search(points.begin(), points.end(), Weight{p, 0}, [](const Weight& a, const Weight& b) { return a.point < b.point; });
+  };
+  const bool plane = layout().dim == 2;
+  const std::ptrdiff_t corners = plane ? 2 : 4;
+  std::vector<PointArea> out;
+  for (const Facet& facet : boundary()) {
+    if (!std::all_of(facet.points.begin(), facet.points.begin() + corners, there)) continue;
+    Point x[4]{};
+    for (int k = 0; k < corners; ++k) x[k] = position(facet.points[k]);
+    // In the plane the body lies to the left of 0 -> 1.
+    const Point area = plane ? Point{x[1][1] - x[0][1], x[0][0] - x[1][0], 0} : 0.5 * cross(x[2] - x[0], x[3] - x[1]);
+    for (int k = 0; k < corners; ++k) out.push_back({facet.points[k], (1.0 / double(corners)) * area});
+  }
+  return out;
+}
 
 std::vector<Facet> boundary_of(const Topology& topology) {
   // Sides of a cell in VTK order, each with the cell behind it.

@@ -36,6 +36,12 @@ struct Facet {
   std::array<std::size_t, 4> points{};
 };
 
+/// Part of a place that belongs to one point.
+struct PointArea {
+  std::size_t point;
+  Point area;  ///< outward, m^2; in the plane m, for a unit of thickness
+};
+
 /// Stress and strain at the material points (particles, or quadrature points), one entry each, six components:
 /// xx yy zz xy yz zx, in the axes of space (Cauchy stress, Pa), the thickness direction of plane cases included.
 struct MaterialState {
@@ -122,6 +128,9 @@ class Discretization {
 
   /// The points of a place, sorted, with the share of a unit total force that each takes (sum 1). Empty if there are none.
   virtual std::vector<Weight> points_of(const Place& place) const = 0;
+  /// What a pressure on a place acts on; a point may come more than once. Unless a discretization knows better: the facets of its boundary all of
+  /// whose points lie on the place, in equal parts to these. Empty if there are none.
+  virtual std::vector<PointArea> outward_areas(const Place& place) const;
   /// The discretization's own interpolation of a nodal field at a point of the undeformed body; weights sum to 1.
   virtual std::vector<Weight> interpolation(const Point& p) const = 0;
 

@@ -149,7 +149,7 @@ class March {
   void place_supports_and_loads(MovingBody& body, std::size_t index);
   void place_rigid_bodies_and_contacts();
   void find_critical_step();
-  void place_pressure(MovingBody& body, std::size_t load, const std::vector<Weight>& points);
+  void place_pressure(MovingBody& body, std::size_t load);
   void place_mean_support(MovingBody& body, const Support& support, const std::vector<Weight>& points);
   void hold_means(MovingBody& body);  ///< adds the reactions of mean supports to the forces
   void start_velocities();

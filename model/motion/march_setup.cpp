@@ -7,6 +7,7 @@
 
 #include "model/motion/critical_step.hpp"
 #include "model/motion/march.hpp"
+#include "model/motion/mass_properties.hpp"
 #include "model/motion/vectors.hpp"
 #include "model/numerics/parallel.hpp"
 
@@ -31,8 +32,10 @@ March::March(const Scene& scene, std::vector<std::unique_ptr<Discretization>> bo
     bodies_.push_back(std::move(body));
   }
   warnings_ = scene.warnings;
-  for (const MovingBody& body : bodies_)
+  for (const MovingBody& body : bodies_) {
     for (const std::string& text : body.discretization->warnings()) warnings_.push_back(fmt::format("body \"{}\": {}", body.name, text));
+    if (const std::string text = mass_warning(scene, body.index, *body.discretization); !text.empty()) warnings_.push_back(text);
+  }
   place_rigid_bodies_and_contacts();
   find_critical_step();
   if (!std::isfinite(critical_)) throw MotionError("nothing in this scene can move: every displacement is held, or no body has stiffness");
@@ -81,7 +84,7 @@ void March::place_supports_and_loads(MovingBody& body, std::size_t index) {
     const Load& load = scene_.loads[l];
     if (load.place.body != index) continue;
     if (load.pressure != 0) {
-      place_pressure(body, l, points_of(body, load.place, "load"));
+      place_pressure(body, l);
       continue;
     }
     for (const Weight& w : points_of(body, load.place, "load"))
@@ -90,33 +93,19 @@ void March::place_supports_and_loads(MovingBody& body, std::size_t index) {
   }
 }
 
-/// -p A of every facet of the boundary whose points all lie on the place, in equal parts to its points; A its outward area vector.
-void March::place_pressure(MovingBody& body, std::size_t load, const std::vector<Weight>& points) {
+/// -p A, with A the outward area vector of each point's part of the place.
+void March::place_pressure(MovingBody& body, std::size_t load) {
   const Discretization& d = *body.discretization;
   const Layout& at = d.layout();
-  const double thickness = at.dim == 2 ? scene_.bodies[body.index].thickness : 1.0, pressure = scene_.loads[load].pressure;
-  const auto there = [&](std::size_t p) {
-    return std::binary_search(points.begin(), points.end(), Weight{p, 0}, [](const Weight& a, const Weight& b) { return a.point < b.point; });
-  };
-  const std::size_t corners = at.dim == 2 ? 2 : 4;
-  bool any = false;
-  for (const Facet& facet : d.boundary()) {
-    if (!std::all_of(facet.points.begin(), facet.points.begin() + std::ptrdiff_t(corners), there)) continue;
-    any = true;
-    Point x[4], area{};
-    for (std::size_t k = 0; k < corners; ++k) x[k] = d.position(facet.points[k]);
-    if (at.dim == 2) area = {thickness * (x[1][1] - x[0][1]), thickness * (x[0][0] - x[1][0]), 0};  // the body lies to the left
-    else {
-      const Point a = x[2] - x[0], b = x[3] - x[1];
-      area = 0.5 * cross(a, b);
-    }
-    for (std::size_t k = 0; k < corners; ++k)
-      for (int c = 0; c < at.dim; ++c) body.loads.push_back({at.at(facet.points[k], c), -pressure * area[c] / double(corners), load});
-  }
   const Place& place = scene_.loads[load].place;
-  if (!any)
+  const double thickness = at.dim == 2 ? scene_.bodies[body.index].thickness : 1.0, pressure = scene_.loads[load].pressure;
+  const std::vector<PointArea> areas = d.outward_areas(place);
+  if (areas.empty())
     throw MotionError(fmt::format("{}:{}:{}: this pressure finds no piece of the boundary of body \"{}\" ({}); use a finer spacing", scene_.file,
                                   place.source.line, place.source.column, body.name, d.describe()));
+  for (const PointArea& part : areas)
+    for (int c = 0; c < at.dim; ++c)
+      if (part.area[c] != 0) body.loads.push_back({at.at(part.point, c), -pressure * thickness * part.area[c], load});
 }
 
 void March::place_mean_support(MovingBody& body, const Support& support, const std::vector<Weight>& points) {

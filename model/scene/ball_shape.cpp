@@ -112,6 +112,12 @@ bool OwnBall::on_side(const std::string& side, const Point& p, double tolerance)
 
 double OwnBall::measure() const { return pi * size_.radius * size_.radius * size_.radius * quarters() / 3; }
 
+/// Of half a ball 3/8 R beyond the plane; a quarter has the same along both axes.
+Point OwnBall::centroid() const {
+  const double beyond = 0.375 * size_.radius;
+  return place(size_.part == Part::quarter ? beyond : 0, size_.part == Part::whole ? 0 : beyond, 0);
+}
+
 std::string OwnBall::describe() const {
   const char* part = size_.part == Part::whole ? "" : size_.part == Part::half ? "half " : "quarter ";
   return fmt::format("{}ball of radius {:g} mm", part, 1e3 * size_.radius) + (size_.finer > 1 ? fmt::format(", {:g} times finer at {}-", size_.finer, "xyz"[size_.axis]) : "");

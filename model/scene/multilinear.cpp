@@ -49,13 +49,6 @@ std::array<double, 3> step(const Patch& patch, const std::array<double, 3>& xi, 
   return dxi;
 }
 
-double determinant(const Patch& patch, const std::array<double, 3>& xi) {
-  const Point a = patch.tangent(xi, 0), b = patch.tangent(xi, 1);
-  if (patch.k == 2) return a[0] * b[1] - a[1] * b[0];
-  const Point c = patch.tangent(xi, 2);
-  return a[0] * (b[1] * c[2] - b[2] * c[1]) + a[1] * (b[2] * c[0] - b[0] * c[2]) + a[2] * (b[0] * c[1] - b[1] * c[0]);
-}
-
 }  // namespace
 
 Point Patch::at(const std::array<double, 3>& xi) const {
@@ -98,6 +91,13 @@ double distance(const Patch& patch, const Point& p) {
   return std::sqrt(dot(r, r));
 }
 
+double determinant(const Patch& patch, const std::array<double, 3>& xi) {
+  const Point a = patch.tangent(xi, 0), b = patch.tangent(xi, 1);
+  if (patch.k == 2) return a[0] * b[1] - a[1] * b[0];
+  const Point c = patch.tangent(xi, 2);
+  return a[0] * (b[1] * c[2] - b[2] * c[1]) + a[1] * (b[2] * c[0] - b[0] * c[2]) + a[2] * (b[0] * c[1] - b[1] * c[0]);
+}
+
 double smallest_corner_jacobian(const Patch& patch) {
   double smallest = determinant(patch, {0, 0, 0});
   for (int v = 1; v < patch.corner_count(); ++v)
@@ -125,6 +125,40 @@ double measure(const Patch& patch) {
   double sum = 0;
   for (int q = 0; q < patch.corner_count(); ++q) sum += gauss_jacobian(patch, q);
   return sum / patch.corner_count();
+}
+
+Point first_moment(const Patch& patch) {
+  // x times the determinant is of degree 3 in each variable: two Gauss points are exact again.
+  const double g[2] = {0.5 - 0.5 / std::sqrt(3.0), 0.5 + 0.5 / std::sqrt(3.0)};
+  Point sum{};
+  for (int v = 0; v < patch.corner_count(); ++v) {
+    const std::array<double, 3> xi{g[v & 1], g[v >> 1 & 1], g[v >> 2 & 1]};
+    const double weight = determinant(patch, xi) / patch.corner_count();
+    const Point x = patch.at(xi);
+    for (int c = 0; c < 3; ++c) sum[c] += weight * x[c];
+  }
+  return sum;
+}
+
+void add_pieces(const Patch& patch, double size, double sign, std::vector<SidePiece>& out) {
+  const auto count = [&](int direction) {
+    double longest = 0;
+    for (int v = 0; v < patch.corner_count(); ++v)
+      if (!(v >> direction & 1)) {
+        const Point edge = minus(patch.corners[v | 1 << direction], patch.corners[v]);
+        longest = std::max(longest, std::sqrt(dot(edge, edge)));
+      }
+    return std::max(1, int(std::ceil(longest / size)));
+  };
+  const int n = count(0), m = patch.k == 2 ? count(1) : 1;
+  for (int j = 0; j < m; ++j)
+    for (int i = 0; i < n; ++i) {
+      const std::array<double, 3> xi{(i + 0.5) / n, patch.k == 2 ? (j + 0.5) / m : 0.0, 0};
+      const Point t = patch.tangent(xi, 0), s = patch.k == 2 ? patch.tangent(xi, 1) : Point{0, 0, 1};
+      Point area{t[1] * s[2] - t[2] * s[1], t[2] * s[0] - t[0] * s[2], t[0] * s[1] - t[1] * s[0]};
+      for (double& a : area) a *= sign / (n * m);
+      out.push_back({patch.at(xi), std::sqrt(dot(area, area)), area});
+    }
 }
 
 }  // namespace femsph

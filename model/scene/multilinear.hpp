@@ -2,8 +2,9 @@
 // Multilinear patches in space: the segment, the bilinear quadrilateral and the trilinear hexahedron, by their corners.
 
 #include <array>
+#include <vector>
 
-#include "model/numerics/tensor.hpp"
+#include "model/scene/shape.hpp"
 
 namespace femsph {
 
@@ -25,8 +26,16 @@ double smallest_corner_jacobian(const Patch& patch);
 
 /// The same over the Gauss points of order 2 a direction, where every element takes its gradients.
 double smallest_gauss_jacobian(const Patch& patch);
+/// Determinant of dx/dxi of a cell (k = dim).
+double determinant(const Patch& patch, const std::array<double, 3>& xi);
 
 /// Area or volume of a cell (k = dim), m^dim.
 double measure(const Patch& patch);
+/// The integral of x over a cell (k = dim), m^(dim+1).
+Point first_moment(const Patch& patch);
+
+/// A patch with k = dim - 1 cut into pieces no longer than `size`; areas point to the right of a segment 0 -> 1, and along the cross product of a
+/// quadrilateral's tangents; times `sign`.
+void add_pieces(const Patch& patch, double size, double sign, std::vector<SidePiece>& out);
 
 }  // namespace femsph

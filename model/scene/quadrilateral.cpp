@@ -56,6 +56,20 @@ bool Quadrilateral::on_side(const std::string& side, const Point& p, double tole
 
 double Quadrilateral::measure() const { return femsph::measure(patch_of(corners_)); }
 
+Point Quadrilateral::centroid() const {
+  Point c = first_moment(patch_of(corners_));
+  for (double& x : c) x /= measure();
+  return c;
+}
+
+/// The body lies to the left of each edge from corner to corner.
+std::vector<SidePiece> Quadrilateral::side_pieces(const std::string& side, double size) const {
+  std::vector<SidePiece> pieces;
+  for (std::size_t k = 0; k < 4; ++k)
+    if (names[k] == side) add_pieces({1, {corners_[k], corners_[(k + 1) % 4]}}, size, 1, pieces);
+  return pieces;
+}
+
 std::string Quadrilateral::describe() const {
   std::string text = "quadrilateral with corners";
   for (const Point& c : corners_) text += fmt::format(" ({:g}, {:g})", 1e3 * c[0], 1e3 * c[1]);

@@ -118,6 +118,29 @@ double Round::measure() const {
   return 0.25 * quarters() * pi * (size_.outer * size_.outer - size_.inner * size_.inner) * (dim_ == 3 ? size_.length : 1.0);
 }
 
+/// Of a half ring 4 (R^3 - r^3) / (3 pi (R^2 - r^2)) beyond the centre; of a quarter along both axes.
+Point Round::centroid() const {
+  const double R = size_.outer, r = size_.inner, beyond = 4 * (R * R + R * r + r * r) / (3 * pi * (R + r));
+  return place(size_.part == Part::quarter ? beyond : 0, size_.part == Part::whole ? 0 : beyond, dim_ == 3 ? 0.5 * size_.length : 0.0);
+}
+
+/// The rims; of a cylinder or tube their mantles.
+std::vector<SidePiece> Round::side_pieces(const std::string& side, double size) const {
+  if (side != "outer" && !(side == "inner" && size_.inner > 0)) return {};
+  const double radius = side == "outer" ? size_.outer : size_.inner, out = side == "outer" ? 1 : -1, turn = 0.5 * pi * quarters();
+  const int n = std::max(4, int(std::ceil(radius * turn / size))), m = dim_ == 3 ? std::max(1, int(std::ceil(size_.length / size))) : 1;
+  std::vector<SidePiece> pieces;
+  for (int j = 0; j < m; ++j)
+    for (int i = 0; i < n; ++i) {
+      const double angle = turn * (i + 0.5) / n, area = radius * turn / n * (dim_ == 3 ? size_.length / m : 1.0);
+      SidePiece piece{place(radius * std::cos(angle), radius * std::sin(angle), dim_ == 3 ? size_.length * (j + 0.5) / m : 0.0), area, {}};
+      piece.area[first()] = out * area * std::cos(angle);
+      piece.area[second()] = out * area * std::sin(angle);
+      pieces.push_back(piece);
+    }
+  return pieces;
+}
+
 std::string Round::describe() const {
   const char* part = size_.part == Part::whole ? "" : size_.part == Part::half ? "half " : "quarter ";
   const char* kind = dim_ == 2 ? (size_.inner > 0 ? "ring" : "disc") : (size_.inner > 0 ? "tube" : "cylinder");

@@ -18,6 +18,8 @@ bool Shape::on_side(const std::string& side, const Point& p, double tolerance) c
   return std::abs(p[axis] - (side[1] == '-' ? lower() : upper())[axis]) <= tolerance;
 }
 
+std::vector<SidePiece> Shape::side_pieces(const std::string&, double) const { return {}; }
+
 Point Box::upper() const { return {origin_[0] + size_[0], origin_[1] + size_[1], origin_[2] + size_[2]}; }
 
 bool Box::contains(const Point& p, double tolerance) const {
@@ -28,6 +30,8 @@ bool Box::contains(const Point& p, double tolerance) const {
 }
 
 double Box::measure() const { return size_[0] * size_[1] * (dim_ == 3 ? size_[2] : 1.0); }
+
+Point Box::centroid() const { return {origin_[0] + 0.5 * size_[0], origin_[1] + 0.5 * size_[1], origin_[2] + 0.5 * size_[2]}; }
 
 std::string Box::describe() const {
   std::string text = "box";
@@ -46,6 +50,8 @@ double Ball::measure() const {
   const double disc = std::acos(-1.0) * radius_ * radius_;
   return dim_ == 3 ? 4.0 / 3.0 * disc * radius_ : disc;
 }
+
+Point Ball::centroid() const { return centre_; }
 
 std::string Ball::describe() const { return fmt::format("{} of radius {:g} mm", dim_ == 3 ? "sphere" : "disc", 1e3 * radius_); }
 

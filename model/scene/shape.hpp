@@ -29,6 +29,13 @@ struct CellMesh {
   std::vector<std::pair<std::string, std::string>> vain_words;   ///< names and numbers of the file that no place can use, and why
 };
 
+/// A small piece of a shape's boundary.
+struct SidePiece {
+  Point at{};       ///< m, its middle
+  double size = 0;  ///< m, or m^2 in 3D
+  Point area{};     ///< outward, of length `size`; 0 where the body goes on behind it
+};
+
 class Shape {
  public:
   virtual ~Shape() = default;
@@ -43,6 +50,10 @@ class Shape {
   virtual bool on_side(const std::string& side, const Point& p, double tolerance) const;
   /// Area (volume in 3D) of the shape, m^2 (m^3).
   virtual double measure() const = 0;
+  virtual Point centroid() const = 0;  ///< m
+  /// A curved or slanted side cut into pieces no longer than `size` (m): what a filling that misses the side needs to know of it. Empty
+  /// for a side that on_side() tells alone, such as a plane side of the bounding box, or one that is a point.
+  virtual std::vector<SidePiece> side_pieces(const std::string& side, double size) const;
   /// The body's own cells, if it comes with some.
   virtual const CellMesh* cells() const { return nullptr; }
   /// One line for the user: "box 1000 x 100 mm".
@@ -58,6 +69,7 @@ class Box final : public Shape {
   Point upper() const override;
   bool contains(const Point& p, double tolerance) const override;
   double measure() const override;
+  Point centroid() const override;
   std::string describe() const override;
   const Point& size() const { return size_; }
 
@@ -75,6 +87,7 @@ class Ball final : public Shape {
   Point upper() const override;
   bool contains(const Point& p, double tolerance) const override;
   double measure() const override;
+  Point centroid() const override;
   std::string describe() const override;
   const Point& centre() const { return centre_; }
   double radius() const { return radius_; }
@@ -97,6 +110,8 @@ class MeshShape final : public Shape {
   std::vector<std::string> sides() const override;  ///< the bounding box's, and the physical groups
   bool on_side(const std::string& side, const Point& p, double tolerance) const override;
   double measure() const override;
+  Point centroid() const override;
+  std::vector<SidePiece> side_pieces(const std::string& side, double size) const override;
   const CellMesh* cells() const override { return &mesh_; }
   std::string describe() const override;
 

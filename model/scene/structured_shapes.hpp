@@ -33,6 +33,8 @@ class Round final : public StructuredShape {
   std::vector<std::string> sides() const override;
   bool on_side(const std::string& side, const Point& p, double tolerance) const override;
   double measure() const override;
+  Point centroid() const override;
+  std::vector<SidePiece> side_pieces(const std::string& side, double size) const override;
   std::string describe() const override;
   /// Hollow: layers across the wall and sectors around, both of the wanted size at the middle of the wall. Solid: a square in the
   /// middle of each quarter, and two blocks from its sides to the rim. Vertices of the rims lie on them.
@@ -73,6 +75,7 @@ class OwnBall final : public StructuredShape {
   std::vector<std::string> sides() const override;
   bool on_side(const std::string& side, const Point& p, double tolerance) const override;
   double measure() const override;
+  Point centroid() const override;
   std::string describe() const override;
   /// In each octant a cube and three blocks from its faces to the rim, all drawn to the pole. Vertices of the rim lie on it.
   CellMesh mesh(const std::array<int, 3>& divisions) const override;
@@ -100,6 +103,8 @@ class Quadrilateral final : public StructuredShape {
   std::vector<std::string> sides() const override;
   bool on_side(const std::string& side, const Point& p, double tolerance) const override;
   double measure() const override;
+  Point centroid() const override;
+  std::vector<SidePiece> side_pieces(const std::string& side, double size) const override;
   std::string describe() const override;
   /// divisions[0] cells along bottom and top, divisions[1] along left and right.
   CellMesh mesh(const std::array<int, 3>& divisions) const override;
