@@ -249,12 +249,14 @@ std::vector<Facet> ParticleBody::boundary() const {
     for (std::size_t c = 0; c < (plane ? 4u : 8u); ++c) cell[c] = std::size_t(own[vtk[c]]);
     cells.cells.push_back(cell);
   }
+  std::vector<char> inside(particles_.size(), 1);  // what stands outside of a side that cuts the lattice would touch others too soon
+  for (std::size_t i = 0; steps_ && i < inside.size(); ++i) inside[i] = in_body(i);
   for (const auto& [i, j, k] : lattice.place) {
     std::array<std::size_t, 8> cell{};
     bool whole = true;
     for (int c = 0; c < (plane ? 4 : 8) && whole; ++c) {
       const int corner = lattice.particle(i + ((c + 1) / 2 % 2), j + (c / 2 % 2), k + c / 4);  // VTK order
-      whole = corner >= 0 && std::size_t(corner) < particles_.size();  // no mirrored ones
+      whole = corner >= 0 && std::size_t(corner) < particles_.size() && inside[std::size_t(corner)];  // no mirrored ones
       cell[c] = std::size_t(corner);
     }
     if (whole) cells.cells.push_back(cell);

@@ -31,7 +31,7 @@ struct Options {
   Viscosity viscosity;
   double hourglass = 0.1;     ///< coefficient of the hourglass control of the corrected formulation
   double jitter = 0;          ///< particles moved at random by up to this share of d (tests; neighbour-list path)
-  bool fitted = true;         ///< particles of rings, tubes, cylinders and quadrilaterals follow their sides; false: a lattice, with steps for sides
+  bool fitted = true;         ///< particles of round shapes, quadrilaterals and meshes follow their sides where they can; false: a lattice that sides cut
   bool force_lists = false;   ///< use neighbour lists even on a lattice (tests, bench)
 };
 

@@ -125,6 +125,30 @@ TEST(Filling, PartialVolumesAreIntegralsOfHatFunctions) {
   EXPECT_EQ(p.lattice.particle(2, 3, 0), -1);
 }
 
+// A box needs no integration: volumes are the cell times 1, 1/2, 1/4, 1/8, to the last bit.
+TEST(Filling, ABoxIsFilledToTheLastBit) {
+  for (const int dim : {2, 3}) {
+    const sph::Particles p = sph::fill(Box(dim, {0.1, -0.3, 0.7}, {0.7, 0.3, 0.4}), corrected(0.1));
+    for (std::size_t i = 0; i < p.size(); ++i) {
+      double share = 1;
+      for (int a = 0; a < dim; ++a) share *= p.lattice.place[i][std::size_t(a)] % (p.lattice.count[std::size_t(a)] - 1) == 0 ? 0.5 : 1;
+      EXPECT_EQ(p.volume[i], p.cell * share);
+    }
+  }
+}
+
+// The centres that shapes tell of themselves are those of their own cells, which leave out the segments between chords and arcs: less than 1 - sin x / x of the
+// area, with x half the angle of a sector.
+TEST(Filling, CentroidsAreThoseOfTheCells) {
+  using Part = Round::Part;
+  for (const Part part : {Part::whole, Part::half, Part::quarter}) {
+    const Round ring(2, {{0.3, 0.2, 0}, 0.5, 1, 0, 2, part}), tube(3, {{0.3, 0.2, 0.1}, 0.4, 1, 2, 0, part}), cylinder(3, {{}, 0, 1, 2, 1, part});
+    const OwnBall ball({{0.3, 0.2, 0.1}, 1, 2, part, 1});
+    for (const StructuredShape* shape : std::initializer_list<const StructuredShape*>{&ring, &tube, &cylinder, &ball})
+      EXPECT_LT(norm(shape->centroid() - mesh_of(*shape, 40)->centroid()), 1e-3) << shape->describe();
+  }
+}
+
 // A particle that has a side through its cell is held: on a slanted end, every particle within half a cell's diagonal and none beyond.
 TEST(Filling, ASlantedSideHoldsTheLayerThatItCuts) {
   const double angle = std::numbers::pi / 6;
