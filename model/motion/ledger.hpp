@@ -8,7 +8,6 @@ namespace femsph {
 /// start. It is below 0 when forces are larger than at the start, vanishes with dt^2, and is no energy of the bodies.
 struct Ledger {
   double kinetic = 0;
-  double discrete = 0;
   double strain = 0;      ///< stored by the law
   double hourglass = 0;   ///< stored by hourglass control
   double external = 0;    ///< work of loads, gravity and moved supports
@@ -18,6 +17,7 @@ struct Ledger {
   double plastic = 0;     ///< work that the law has taken and does not store; negative: a law that creates energy
   double contact = 0;     ///< stored by the penalty of contacts
   double friction = 0;    ///< taken by friction in contacts
+  double discrete = 0;    ///< of the measure, see above
 
   double stored() const { return kinetic + discrete + strain + hourglass + contact; }
   /// What is missing (> 0) or has come from nowhere (< 0).

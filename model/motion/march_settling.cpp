@@ -103,9 +103,10 @@ void March::say_what_did_not_settle() {
   std::string advice = "give it more time ([time] duration)";
   if (unrest_.loads_change) advice = "a load still changes: let its history end earlier, or give a longer [time] duration";
   else if (worst < 10 * tolerated) advice += ", or a larger [settling] tolerance";
-  warnings_.push_back(fmt::format("not settled within {:g} s: the forces out of balance are still {:.2g} of the loads, the displacement still to come {:.2g} and what moves "
-                                  "{:.2g} of the displacement, for a tolerance of {:g}; these results are of a body on its way and no static state: {}",
-                                  time(), unrest_.force, unrest_.displacement, unrest_.motion, tolerated, advice));
+  const bool to_come = contacts_.empty() && rigid_.empty();
+  warnings_.push_back(fmt::format("not settled within {:g} s: the forces out of balance are still {:.2g} of the loads, {}what moves {:.2g} of the displacement, for a tolerance of "
+                                  "{:g}; these results are of a body on its way and no static state: {}",
+                                  time(), unrest_.force, to_come ? fmt::format("the displacement still to come {:.2g} and ", unrest_.displacement) : "", unrest_.motion, tolerated, advice));
 }
 
 /// The kinetic energy of the next half step less that of the last one is dt/2 f . (v- + v+); damping has no say.

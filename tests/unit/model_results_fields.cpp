@@ -100,8 +100,8 @@ TEST(Fields, EveryPathInTheXdmfExists) {
   }
   const std::string xml = read(folder / "fields.xdmf");
   EXPECT_EQ(expect_items_exist(folder, xml), 2u * 2u * 8u);  // frames x bodies x (cells, points, six fields)
-  EXPECT_EQ(count(xml, "<DataItem"), 28u);
-  EXPECT_EQ(count(xml, "Center=\"Cell\""), 2u * 3u);
+  EXPECT_EQ(count(xml, "<DataItem"), 32u);
+  EXPECT_EQ(count(xml, "Center=\"Cell\""), 2u * 4u);
   EXPECT_EQ(count(xml, "<Time Value=\"0.7000000000000001\"/>"), 3u);  // 0.1 * 7 to the last bit
   EXPECT_THAT(folder.files(), ElementsAre("fields.xdmf", "fields/000000.h5", "fields/000001.h5", "fields/bodies.h5"));
 }

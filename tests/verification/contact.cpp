@@ -132,7 +132,7 @@ Blow collide(const Scene& scene, const std::string& method, double spacing_mm) {
   Blow blow;
   MarchEvents events;
   events.sample = [&](const March& m) {
-    const Momentum now = momentum(m);
+    const Momentum now = test::momentum(m);
     if (!start) start = now;
     double p = 0, h = 0, p0 = 0, h0 = 0;
     for (int c = 0; c < 3; ++c) {

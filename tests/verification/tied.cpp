@@ -93,7 +93,7 @@ TEST(Tied, FlyingBlocksKeepMomentumAndEnergy) {
     double linear = 0, angular = 0, imbalance = 0, bond = 0;
     MarchEvents events;
     events.sample = [&](const March& m) {
-      const Momentum now = momentum(m);
+      const Momentum now = test::momentum(m);
       if (!start) start = now;
       for (int c = 0; c < 3; ++c) {
         linear = std::max(linear, std::abs(now.linear[c] - start->linear[c]) / std::abs(start->linear[0]));
