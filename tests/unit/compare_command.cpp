@@ -1,5 +1,6 @@
 // From the words of a command line to a method and a resolution: every number has a range, and what would do nothing is refused.
 
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 

@@ -123,7 +123,8 @@ TEST_F(StudyReader, SlipsInRuns) {
   EXPECT_THAT(message(with(good, "cases = [\"1_1\", \"1_2\"]", "cases = [\"1_1\"]")), HasSubstr("1 cases for 2 resolutions"));
   EXPECT_THAT(message(with(good, "quick = [\"1_1\"]", "quick = [\"1_11\"]")), HasSubstr("did you mean \"1_1\"?"));
   EXPECT_THAT(message(with(good, "smoothing = 1.2", "smothing = 1.2")), HasSubstr("did you mean \"smoothing\"?"));
-  EXPECT_THAT(message(with(good, "smoothing = 1.2", "smoothing = 0")), HasSubstr("expected a number above 0"));
+  EXPECT_THAT(message(with(good, "smoothing = 1.2", "smoothing = 0")), HasSubstr("\"smoothing\" is 0; expected a number from 0.6 to 4"));
+  EXPECT_THAT(message(with(good, "safety = 0.5", "safety = 2.5")), HasSubstr("\"safety\" is 2.5; expected a number above 0, up to 2"));
   EXPECT_THAT(message(with(good, "quick = [\"1_1\"]", "spacing = [\"1 mm\"]")), HasSubstr("expected either \"spacing\""));
   EXPECT_THAT(message(with(good, "quick = [\"1_1\"]", "scene = \"none.toml\"")), HasSubstr("the scene \"none.toml\" cannot be used"));
 }

@@ -69,16 +69,16 @@ TEST(Overlap, KnowsInsideInSpace) {
   for (Point& p : bent.now) p[0] += lean(p[2]);
   const Enclosure enclosure(bent);
   int inside = 0;
-  for (int i = -10; i <= 50; ++i)
-    for (int j = -5; j <= 25; ++j)
-      for (int k = -5; k <= 45; ++k) {
-        const Point p{0.05 * i, 0.05 * j, 0.05 * k};
+  for (int i = -5; i <= 25; ++i)
+    for (int j = -3; j <= 13; ++j)
+      for (int k = -3; k <= 23; ++k) {
+        const Point p{0.1 * i, 0.1 * j, 0.1 * k};
         const double exact = std::min({(p[0] - lean(p[2])) / std::sqrt(2), (1 + lean(p[2]) - p[0]) / std::sqrt(2), p[1], 1 - p[1], p[2], 2 - p[2]});
         const double depth = enclosure.depth(p, tolerance);
         EXPECT_EQ(depth > 0, exact > 1e-9) << p[0] << " " << p[1] << " " << p[2];
         inside += depth > 0;
       }
-  EXPECT_GT(inside, 10000);
+  EXPECT_GT(inside, 1000);
 }
 
 TEST(Overlap, TouchingIsNone) {
