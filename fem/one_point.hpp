@@ -15,20 +15,28 @@
 // Large motion: A_d turns with the R of the mean deformation gradient. W depends on R^T q alone, so it does not see a rigid motion; what the turn of
 // R does to it is balanced by the couple of rotation.hpp, and angular momentum is kept to round-off.
 //
-// Plastic laws: a fibre does not carry more than the yield stress. Once the linear strains would bring the edges of the cell to it
-// (W = V w_y, w_y = sigma^2 / (6 Eb)), the moment follows that of an ideally plastic rectangular section by its curvature, M / M_y = 3/2 - 1/(2 x^2)
-// with x = sqrt(W / (V w_y)), up to 3/2 M_y. It is a deformation theory: it stores what it takes, and remembers nothing.
+// Plastic laws, by deformation theory. Where the cell's point has flowed, its moduli fall to the secant's, times rho = Y / (Y + 3 mu p); what W loses as
+// p grows goes to the point's plastic work. And a fibre does not carry more than the yield stress: once the linear strains would bring the edges of the
+// cell to it (x = 1, x^2 = rho W / (V w_y), w_y = sigma^2 / (6 Eb)), the moment follows that of an ideally plastic rectangular section by its
+// curvature, M / M_y = 3/2 - 1/(2 x^2), up to 3/2 M_y. Below that, and with p = 0, a plastic body is held as an elastic one.
 
 #include "fem/elements.hpp"
 
 namespace femsph::fem {
 
+/// What plastic flow has left of the moduli, and what it took of them in this step.
+template <class T>
+struct Softening {
+  T ratio, drop;
+};
+
 struct PhysicalStabilization {
+  static constexpr bool softens = true;
   /// q becomes Q; P, which works on the mean gradient of the whole cell, takes the couple of Q.
   template <class Kinematics, class LawType, class T, int dim, class Frame, class Observer>
   FEMSPH_INLINE static void apply(const HourglassModuli& moduli, const MeanCell<T, dim>& cell, [[maybe_unused]] const Frame& frame,
-                                  [[maybe_unused]] const Symmetric<T, dim>& strain, T (&q)[hourglass_modes<dim>][dim], Tensor<T, dim>& P,
-                                  Observer& observer) {
+                                  [[maybe_unused]] const Symmetric<T, dim>& strain, [[maybe_unused]] const Softening<T>& soft,
+                                  [[maybe_unused]] T* history, T (&q)[hourglass_modes<dim>][dim], Tensor<T, dim>& P, Observer& observer) {
     constexpr int modes = hourglass_modes<dim>;
     const Tensor<T, dim>& A = cell.geometry.linear;
     T square[dim], inverse[dim], s[modes][dim], tau[modes][dim];
@@ -59,13 +67,21 @@ struct PhysicalStabilization {
     for (int a = 0; a < modes; ++a)
       for (int d = 0; d < dim; ++d) energy += 0.5 * tau[a][d] * s[a][d];
     if constexpr (std::is_same_v<LawType, Plastic>) {
-      const T x2 = energy * cell.scale * (1 / (corners<dim> * moduli.yield_energy));
+      const T per_volume = cell.scale * (1.0 / corners<dim>);  // 1/V
+      T factor = soft.ratio, slope = energy;                   // slope = dW / d rho
+      const T x2 = factor * factor * energy * per_volume * (1 / moduli.yield_energy);
+      energy *= factor;
       if (any(x2 > 1.0)) {
-        const T r = 1.0 / square_root(select(x2 > 1.0, x2, broadcast<T>(1.0))), factor = r * (1.5 - 0.5 * r * r);
-        energy = select(x2 > 1.0, cell.volume * moduli.yield_energy * (3.0 / r + r - 3.0), energy);
-        for (int a = 0; a < modes; ++a)
-          for (int d = 0; d < dim; ++d) tau[a][d] *= factor;
+        const auto flows = x2 > 1.0;
+        const T limit = cell.volume * moduli.yield_energy / factor;
+        const T r = 1.0 / square_root(select(flows, x2, broadcast<T>(1.0)));
+        energy = select(flows, limit * (3.0 / r + r - 3.0), energy);
+        slope = select(flows, limit / factor * (3.0 - 2.0 * r), slope);
+        factor *= r * (1.5 - 0.5 * r * r);
       }
+      for (int a = 0; a < modes; ++a)
+        for (int d = 0; d < dim; ++d) tau[a][d] *= factor;
+      if (any(soft.drop > 0.0)) history[Plastic::work] += slope * soft.drop * per_volume;
     }
     observer.hourglass(energy);
 
@@ -147,9 +163,10 @@ struct PhysicalStabilization {
 /// (lambda + 2 mu) V sum (dN/dx)^2 being their bound on the stiffness of the mean strain itself; M: see hourglass_modulus. It does not ask which way q
 /// points, so it is objective as it is. It perturbs: the coefficient is chosen, and cells that carry bending alone are as stiff as it says.
 struct PerturbationControl {
+  static constexpr bool softens = false;
   template <class Kinematics, class LawType, class T, int dim, class Frame, class Observer>
   FEMSPH_INLINE static void apply(const HourglassModuli& moduli, const MeanCell<T, dim>& cell, const Frame&, const Symmetric<T, dim>&,
-                                  T (&q)[hourglass_modes<dim>][dim], Tensor<T, dim>&, Observer& observer) {
+                                  const Softening<T>&, T*, T (&q)[hourglass_modes<dim>][dim], Tensor<T, dim>&, Observer& observer) {
     const T k = (moduli.perturbation * corners<dim>)*cell.volume * cell.gradient_square();
     T energy = T{};
     for (int a = 0; a < hourglass_modes<dim>; ++a)
@@ -177,13 +194,28 @@ struct OnePoint {
     cell.strain(u, L, q);
     Symmetric<T, dim> strain;
     const auto frame = Kinematics::template strain<T, dim>(L, strain);
+    T* const history = history_of<LawType, dim>(state);
+    Softening<T> soft{broadcast<T>(1.0), T{}};
+    if constexpr (Control::softens && std::is_same_v<LawType, Plastic>) soft.drop = -history[Plastic::equivalent_strain];
     const auto stress = advance_law<LawType, T, dim, Kinematics>(material.law, strain, state);
-    observer.point(0, cell.volume, frame, strain, stress, history_of<LawType, dim>(state));
+    if constexpr (Control::softens && std::is_same_v<LawType, Plastic>) flow(material.law, history[Plastic::equivalent_strain], soft);
+    observer.point(0, cell.volume, frame, strain, stress, history);
     Kinematics::template piola<T, dim>(frame, strain, stress, P);
     for (int i = 0; i < dim; ++i)
       for (int j = 0; j < dim; ++j) P[i][j] *= cell.volume;
-    Control::template apply<Kinematics, LawType, T, dim>(material.hourglass, cell, frame, strain, q, P, observer);
+    Control::template apply<Kinematics, LawType, T, dim>(material.hourglass, cell, frame, strain, soft, history, q, P, observer);
     cell.force(P, q, f);
+  }
+
+ private:
+  /// rho = Y / (Y + 3 mu p), d rho / dp = -3 mu Y_0 / (Y + 3 mu p)^2. On entry `drop` is minus the plastic strain before the step.
+  template <class T>
+  FEMSPH_INLINE static void flow(const Plastic& law, const T& p, Softening<T>& soft) {
+    soft.drop += p;
+    if (!any(p > 0.0)) return;
+    const T yield = law.parameters.yield + law.parameters.hardening * p, r = 1.0 / (yield + 3 * law.base.mu * p);
+    soft.ratio = yield * r;
+    soft.drop *= 3 * law.base.mu * law.parameters.yield * r * r;
   }
 };
 

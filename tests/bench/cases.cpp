@@ -69,10 +69,10 @@ std::vector<Case> targets() {
   };
   add("2D full elastic", 2, fem("fem-full"), 25);
   plastic("2D full J2 finite rotation", 2, fem("fem-full"), 40);
-  plastic("2D one-point J2 + hourglass", 2, fem("fem-one-point"), 20);
+  plastic("2D one-point J2 + stabilization", 2, fem("fem-one-point"), 20);
   add("3D full elastic", 3, fem("fem-full"), 90);
   plastic("3D full J2 finite rotation", 3, fem("fem-full"), 140);
-  plastic("3D one-point J2 + hourglass", 3, fem("fem-one-point"), 55);
+  plastic("3D one-point J2 + stabilization", 3, fem("fem-one-point"), 55);
   plastic("2D corrected SPH, 8 neighbours", 2, sph("sph-corrected", 1), 15, false);
   plastic("2D corrected SPH, 20 neighbours", 2, sph("sph-corrected", 1.2), 25, false);
   plastic("3D corrected SPH, 26 neighbours", 3, sph("sph-corrected", 1), 40, false);
@@ -125,6 +125,8 @@ std::vector<Case> effects() {
         add("no hourglass control", [](Case& c) { std::get<sph::Options>(c.method.options).hourglass = 0; });
         add("neighbour lists instead of shared stencils", [](Case& c) { std::get<sph::Options>(c.method.options).force_lists = true; });
       }
+      if (!std::strcmp(name, "fem-one-point"))
+        add("Flanagan and Belytschko's control instead", [](Case& c) { std::get<fem::Options>(c.method.options).hourglass = 0.05; });
       if (!std::strcmp(name, "fem-one-point")) continue;
       scene("damping", [](Scene& s) { s.damping = 100; });
       scene("gravity", [](Scene& s) { s.gravity = Point{0, -9.81, 0}; });
