@@ -44,9 +44,9 @@ TEST(SingularForce, SinksByFlamantsLogarithmOnASide) {
   scene.probes.push_back({"away", 0, Quantity::displacement, {0.1, 0.1, 0}});
   const double each = 1e5 * sinks_per_halving(scene, scene.loads[0].place);
   EXPECT_NEAR(each, 2 * std::log(2) * 1e5 / (std::acos(-1.0) * 2.1e11 * 0.05), 1e-15);
-  const auto under = changes(scene, "under", 1, {10, 10, 1}, 2), away = changes(scene, "away", 1, {10, 10, 1}, 2);
-  EXPECT_NEAR(under[0] / each, 1, 0.02);
-  EXPECT_NEAR(under[1] / each, 1, 0.005);
+  const auto under = changes(scene, "under", 1, {8, 8, 1}, 2), away = changes(scene, "away", 1, {8, 8, 1}, 2);
+  EXPECT_NEAR(under[0] / each, 1, 0.03);  // what the rest of the body adds falls with the square of the cells
+  EXPECT_NEAR(under[1] / each, 1, 0.008);
   EXPECT_LT(away[1], 0.5 * away[0]);
   EXPECT_LT(away[1], 0.02 * each);
 }
@@ -56,19 +56,19 @@ TEST(SingularForce, SinksByMichellsWedgeAtACorner) {
   scene.loads.push_back({Place{0, {"x+", "y+"}, {}, {}}, {0, -1e5, 0}, {}});
   scene.probes.push_back({"under", 0, Quantity::displacement, {0.1, 0.1, 0}});
   const double each = 1e5 * sinks_per_halving(scene, scene.loads[0].place);
-  const auto under = changes(scene, "under", 1, {10, 10, 1}, 2);
-  EXPECT_NEAR(under[0] / each, 1, 0.05);
-  EXPECT_NEAR(under[1] / each, 1, 0.02);
+  const auto under = changes(scene, "under", 1, {8, 8, 1}, 2);
+  EXPECT_NEAR(under[0] / each, 1, 0.08);
+  EXPECT_NEAR(under[1] / each, 1, 0.03);
   // In plane strain by E/(1 - nu^2).
   scene.plane = Plane::strain;
-  EXPECT_NEAR(changes(scene, "under", 1, {20, 20, 1}, 2)[0] / (0.91 * each), 1, 0.02);
+  EXPECT_NEAR(changes(scene, "under", 1, {8, 8, 1}, 2)[1] / (0.91 * each), 1, 0.03);
 }
 
 TEST(SingularForce, InSpaceTheChangeDoubles) {
   Scene scene = block(3);
   scene.loads.push_back({Place{0, {}, Point{0.05, 0.05, 0.1}, {}}, {0, 0, -1e5}, {}});
   scene.probes.push_back({"under", 0, Quantity::displacement, {0.05, 0.05, 0.1}});
-  const auto under = changes(scene, "under", 2, {4, 4, 4}, 1);
+  const auto under = changes(scene, "under", 2, {2, 2, 2}, 1);
   EXPECT_NEAR(under[1] / under[0], 2, 0.2);
 }
 
