@@ -227,7 +227,7 @@ Outcome interrupted(const std::string& line, const std::string& folder, const Se
   const Outcome whole = shell(limit + line);
   if (whole.code != 0) return whole;
   fs::rename(folder, folder + "-whole");
-  for (const char* after : {"1", "2", "4", "8", "0.5", "0.25"}) {
+  for (const char* after : {"1", "1.5", "2", "3", "5", "8", "0.5"}) {
     fs::remove_all(folder);
     const Outcome half = shell(fmt::format("timeout --preserve-status -s INT {} {}", after, line));
     if (half.code == 0 || half.code == 130) continue;  // through before the signal came, or not yet begun
