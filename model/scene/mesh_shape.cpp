@@ -44,7 +44,7 @@ template <std::size_t n>
 std::array<int, 4> sorted(const std::array<int, n>& vertices, int count) {
   std::array<int, 4> s{-1, -1, -1, -1};
   std::copy_n(vertices.begin(), count, s.begin());
-  std::sort(s.begin(), s.begin() + count);
+  std::sort(s.begin(), s.end());
   return s;
 }
 

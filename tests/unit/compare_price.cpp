@@ -228,7 +228,7 @@ TEST_F(Prices, SlipsInPrices) {
   EXPECT_THAT(message("name = \"beam\"", "name = \"a beam\""), HasSubstr("expected a name of letters"));
   EXPECT_THAT(message("ladder = \"limit\"", "ladder = \"limt\""), HasSubstr("did you mean \"limit\"?"));
   EXPECT_THAT(message("[\"4 mm\", \"2 mm\", \"1 mm\"]", "[\"4 mm\", \"2 mm\"]"), HasSubstr("at 2 spacings; expected three or more"));
-  EXPECT_THAT(message("supports = [1.0, 1.2]", "supports = [0, 1.2]"), HasSubstr("no number above 0"));
+  EXPECT_THAT(message("supports = [1.0, 1.2]", "supports = [0, 1.2]"), HasSubstr("a number from 0.6 to 4"));
   EXPECT_THAT(message("methods = [\"fem-full\"]", "methods = [\"fem-full\"]\nsupports = [1.0]"), HasSubstr("\"supports\" with fem-full"));
   EXPECT_THAT(message("repeat = 3", "repeat = 0"), HasSubstr("repeat"));
 }

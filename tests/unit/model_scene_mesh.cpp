@@ -7,6 +7,8 @@
 
 #include <fstream>
 
+#include <unistd.h>
+
 #include "model/scene/mesh_check.hpp"
 #include "model/scene/multilinear.hpp"
 #include "model/scene/reader.hpp"
@@ -15,7 +17,7 @@ using namespace femsph;
 
 namespace {
 
-const std::string file = testing::TempDir() + "femsph_mesh.msh";
+const std::string file = testing::TempDir() + "femsph_mesh_" + std::to_string(getpid()) + ".msh";  // tests run side by side
 
 /// A mesh of version 2.2: lines as they stand in the file.
 struct Text {

@@ -51,7 +51,7 @@ TEST(Start, FieldsOfVelocity) {
   const Scene column = scene_with("[[initial]]\ngradient = [[\"0 1/s\", \"2 1/s\"], [\"0 1/s\", \"0 1/s\"]]\n");
   expect_point(column.initial_velocities.at(0).at({0.3, 6, 0}), {12, 0, 0});
   const Scene twist = scene_with(
-      "[[initial]]\nspin = [\"0 1/s\", \"105 1/s\", \"0 1/s\"]\ncentre = [\"0.5 m\", \"0 m\", \"0.5 m\"]\nprofile = {axis = \"y\", wavelength = \"24 m\"}\n", true);
+      "[[initial]]\nspin = [\"0 rad/s\", \"105 rad/s\", \"0 rad/s\"]\ncentre = [\"0.5 m\", \"0 m\", \"0.5 m\"]\nprofile = {axis = \"y\", wavelength = \"24 m\"}\n", true);
   const double half = std::sin(std::acos(-1.0) * 3 / 12);  // omega x r = 105 (z, 0, -x)
   expect_point(twist.initial_velocities.at(0).at({1.0, 3.0, 0.75}), {105 * 0.25 * half, 0, -105 * 0.5 * half});
   expect_point(twist.initial_velocities[0].at({1.0, 0.0, 0.75}), {0, 0, 0});
@@ -59,15 +59,15 @@ TEST(Start, FieldsOfVelocity) {
 
 TEST(Start, FaultsOfInitialVelocities) {
   EXPECT_EQ(faults_of("[[initial]]\nbody = \"b\"\n"), "no motion in [[initial]]; expected \"velocity\", \"spin\" or \"gradient\"");
-  EXPECT_EQ(faults_of("[[initial]]\nspin = [\"1 1/s\"]\n"), "\"spin\" is a list; expected a rate of rotation with its unit, such as \"50 rad/s\"");
+  EXPECT_EQ(faults_of("[[initial]]\nspin = [\"1 rad/s\"]\n"), "\"spin\" is a list; expected a rate of rotation with its unit, such as \"50 rad/s\"");
   EXPECT_THAT(faults_of("[[initial]]\nspin = \"1 m/s\"\n"), HasSubstr("a rate of rotation"));
-  EXPECT_EQ(faults_of("[[initial]]\nspin = [\"1 1/s\", \"0 1/s\"]\n", true), "\"spin\" has 2 components; expected 3 (x, y, z) in a three-dimensional scene");
+  EXPECT_EQ(faults_of("[[initial]]\nspin = [\"1 rad/s\", \"0 rad/s\"]\n", true), "\"spin\" has 2 components; expected 3 (x, y, z) in a three-dimensional scene");
   EXPECT_EQ(faults_of("[[initial]]\nvelocity = [\"1 m/s\", \"0 m/s\"]\ncentre = [\"0 m\", \"0 m\"]\n"),
             "\"centre\" without \"spin\" or \"gradient\"; expected one of them with it");
   EXPECT_EQ(faults_of("[[initial]]\ngradient = [[\"1 1/s\"], [\"1 1/s\"]]\n"),
             "\"gradient\" is no square matrix; expected two rows such as [[\"100 1/s\", \"100 1/s\"], [\"100 1/s\", \"100 1/s\"]]");
-  EXPECT_EQ(faults_of("[[initial]]\nspin = \"1 1/s\"\nprofile = {axis = \"z\", wavelength = \"1 m\"}\n"), "\"axis\" is \"z\"; expected \"x\" or \"y\"");
-  EXPECT_EQ(faults_of("[[initial]]\nspin = \"1 1/s\"\nprofile = {axis = \"y\", wavelength = \"0 m\"}\n"), "\"wavelength\" is 0 m; expected a length greater than zero");
+  EXPECT_EQ(faults_of("[[initial]]\nspin = \"1 rad/s\"\nprofile = {axis = \"z\", wavelength = \"1 m\"}\n"), "\"axis\" is \"z\"; expected \"x\" or \"y\"");
+  EXPECT_EQ(faults_of("[[initial]]\nspin = \"1 rad/s\"\nprofile = {axis = \"y\", wavelength = \"0 m\"}\n"), "\"wavelength\" is 0 m; expected a length greater than zero");
 }
 
 TEST(Start, FaultsOfInitialDisplacements) {

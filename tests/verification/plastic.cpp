@@ -52,7 +52,7 @@ const std::string held = "[[supports]]\nat = \"all\"\nfix = [\"y\"]\n";
 // of it, to round-off, under every rule. (The bar is free to bulge.)
 TEST(Plastic, EnergyBalancesUnderEveryRule) {
   const std::string end = "[time]\nduration = \"60 us\"\n";
-  for (const char* method : {"fem-full", "fem-sri", "fem-one-point", "fem-assumed-strain", "sph-classic-full", "sph-virtual", "sph-corrected"})
+  for (const char* method : {"fem-full", "fem-sri", "fem-assumed-strain", "sph-classic-full", "sph-virtual", "sph-corrected"})
     for (const char* law : {"", "tension = \"sign\"\ntensile_strength = \"30 MPa\"", "tension = \"principal\"\ntensile_strength = \"30 MPa\"",
                             "integration = \"no-return-8\""}) {
       const auto r = run(impact(law, "", 20, end), method, 4);
@@ -60,6 +60,22 @@ TEST(Plastic, EnergyBalancesUnderEveryRule) {
       EXPECT_GT(r.ledger.plastic, 0.05 * r.ledger.initial) << method << " " << law;
       EXPECT_EQ(r.history["plastic_work"].values.back(), r.ledger.plastic);
     }
+}
+
+// What plastic flow takes of fem-one-point's stabilization is counted with the bending at the end of the step (one_point.hpp): that is of the
+// first order in the step, so a quarter of the step leaves a third of the imbalance at most, and it is small beside what bends in the cells.
+TEST(Plastic, EnergyOfSoftenedStabilizationIsOfFirstOrder) {
+  const Scene scene = impact("", "", 20, "[time]\nduration = \"60 us\"\n");
+  const auto imbalance = [&](double safety) {
+    compare::RunOptions options;
+    options.march.safety = safety;
+    const auto r = compare::run_scene(scene, compare::method_named("fem-one-point"), {4e-3}, options);
+    EXPECT_GT(r.ledger.plastic, 0.05 * r.ledger.initial);
+    return std::abs(r.ledger.imbalance()) / r.ledger.initial;
+  };
+  const double coarse = imbalance(0.9), fine = imbalance(0.225);
+  EXPECT_LT(coarse, 1e-3);
+  EXPECT_LT(fine, coarse / 3);
 }
 
 /// Mean of a column between two times.
