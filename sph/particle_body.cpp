@@ -115,7 +115,7 @@ std::vector<Weight> ParticleBody::points_of(const Place& place) const {
     for (std::size_t i = 0; i < particles_.size(); ++i) {
       const bool on = std::all_of(place.sides.begin(), place.sides.end(),
                                   [&](const std::string& side) { return shape_->on_side(side, particles_.position[i], tolerance); });
-      if (on && in_body(i) && (!place.within || place.within->contains(particles_.position[i], 1e-6 * particles_.spacing)))
+      if (on && (place.sides.empty() || in_body(i)) && (!place.within || place.within->contains(particles_.position[i], 1e-6 * particles_.spacing)))
         out.push_back({i, particles_.own_volume(i) * (place.within ? share_within(*place.within, i) : 1.0)});
     }
     if (!out.empty()) break;

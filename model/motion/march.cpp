@@ -276,7 +276,7 @@ double March::energy_of_half_a_kick() const {
 Ledger March::ledger() const {
   Ledger l;
   const Kinetic k = kinetic();
-  l.kinetic = k.energy + energy_of_half_a_kick();
+  l.kinetic = std::max(0.0, k.energy + energy_of_half_a_kick());  // a sum of squares: below zero is round-off
   l.discrete = k.energy - l.kinetic - (initial_energy_ - initial_whole_);
   for (const MovingBody& body : bodies_) {
     const Energies held = body.discretization->energies(body.u.data());

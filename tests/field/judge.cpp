@@ -241,6 +241,19 @@ Outcome interrupted(const std::string& line, const std::string& folder, const Se
 
 }  // namespace
 
+/// Every body of the scene that deforms brings its cells: FEM takes no spacing there.
+bool all_meshes(const std::string& scene) {
+  std::ostringstream whole;
+  whole << std::ifstream(scene).rdbuf();
+  const std::string text = whole.str();
+  std::size_t bodies = 0, without = 0;
+  for (std::size_t at = text.find("[bodies."); at != std::string::npos; at = text.find("[bodies.", at + 1), ++bodies) {
+    const std::string table = text.substr(at, text.find("\n[", at) - at);
+    without += table.find("\"mesh\"") == std::string::npos && table.find("rigid = true") == std::string::npos;
+  }
+  return bodies > 0 && without == 0;
+}
+
 std::vector<Finding> judge(const Run& run, const std::string& scene, const std::string& method, const std::string& spacing, const std::string& name, const Setting& setting) {
   const std::string folder = fs::absolute(setting.out + "/" + name).string();
   std::vector<Finding> findings;
@@ -249,12 +262,13 @@ std::vector<Finding> judge(const Run& run, const std::string& scene, const std::
     fs::remove_all(folder + "-whole");
     fs::create_directories(folder);
     std::string line = quoted(setting.program) + " " + run.command;
-    if (!scene.empty()) line += " " + quoted(scene_file(run, scene, folder, setting));
+    const std::string file = scene.empty() ? "" : scene_file(run, scene, folder, setting);
+    if (!scene.empty()) line += " " + quoted(file);
     if (!method.empty()) line += " --solver " + method;
-    if (!spacing.empty()) line += " --spacing " + quoted(spacing);
+    if (!spacing.empty() && !(method.starts_with("fem") && all_meshes(file))) line += " --spacing " + quoted(spacing);
     for (const std::string& word : run.options) line += " " + quoted(word);
     if (run.command == "run") line += " --no-fields --out " + quoted(folder);
-    if (line.find("'--threads'") == std::string::npos && (run.command == "run" || run.command == "check")) line += " --threads 1";
+    if (line.find("'--threads'") == std::string::npos && (run.command == "run" || (run.command == "check" && !method.empty()))) line += " --threads 1";
     const Outcome o = run.interrupt ? interrupted(line, folder, setting) : shell(limit + line);
     std::ofstream(folder + ".log") << line << "\n" << o.text << "exit code " << o.code << "\n";
     findings.push_back(look_at_words(run, o));
