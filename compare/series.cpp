@@ -18,10 +18,6 @@ struct NamedCurve {
   std::vector<double> values;
 };
 
-bool listed(const std::vector<std::string>& names, const std::string& name) {
-  return names.empty() || std::find(names.begin(), names.end(), name) != names.end();
-}
-
 std::string wide_csv(const std::string& x_name, const std::vector<std::string>& x, const std::vector<NamedCurve>& curves) {
   std::string text = csv_cell(x_name);
   for (const NamedCurve& curve : curves) text += "," + csv_cell(curve.name);

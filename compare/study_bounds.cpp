@@ -16,10 +16,6 @@ std::optional<double> not_negative(Fields& fields, const char* key) {
   return {};
 }
 
-bool listed(const std::vector<std::string>& names, const std::string& name) {
-  return names.empty() || std::find(names.begin(), names.end(), name) != names.end();
-}
-
 /// Some run of these cases and methods gives a quantity that `fits`.
 template <class Fits>
 bool some_row(const Study& study, const std::vector<std::string>& cases, const std::vector<std::string>& methods, Fits fits) {

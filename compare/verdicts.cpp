@@ -11,10 +11,6 @@
 namespace femsph::compare {
 namespace {
 
-bool listed(const std::vector<std::string>& names, const std::string& name) {
-  return names.empty() || std::find(names.begin(), names.end(), name) != names.end();
-}
-
 /// What counts for one row.
 Bound bound_of(const std::vector<Bound>& bounds, const Row& row) {
   Bound all;

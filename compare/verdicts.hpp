@@ -1,9 +1,16 @@
 #pragma once
 // Did a run stay stable? Bounds that every row must keep, failures that must occur, and the verdict on each row.
 
+#include <algorithm>
+
 #include "compare/table.hpp"
 
 namespace femsph::compare {
+
+/// `name` is one of `names`; a list without names means all.
+inline bool listed(const std::vector<std::string>& names, const std::string& name) {
+  return names.empty() || std::find(names.begin(), names.end(), name) != names.end();
+}
 
 /// Bounds of the rows of some cases, methods and quantity (empty: all). Where several match, the last one that names a bound counts.
 struct Bound {

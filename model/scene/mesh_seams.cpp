@@ -36,23 +36,6 @@ Patch patch_of(const CellMesh& mesh, const FreeSide& side) {
   return patch;
 }
 
-BoxGrid::Box bounding_box(const Patch& patch) {
-  BoxGrid::Box box{patch.corners[0], patch.corners[0]};
-  for (int v = 1; v < patch.corner_count(); ++v)
-    for (int c = 0; c < 3; ++c) {
-      box.lower[c] = std::min(box.lower[c], patch.corners[v][c]);
-      box.upper[c] = std::max(box.upper[c], patch.corners[v][c]);
-    }
-  return box;
-}
-
-bool is_near(const Patch& patch, const Point& p, double tolerance) {
-  const auto [lower, upper] = bounding_box(patch);
-  for (int c = 0; c < 3; ++c)
-    if (p[c] < lower[c] - tolerance || p[c] > upper[c] + tolerance) return false;
-  return distance(patch, p) <= tolerance;
-}
-
 class Seams {
  public:
   Seams(const CellMesh& mesh, const std::vector<FreeSide>& sides) : mesh_(mesh), sides_(sides) {

@@ -21,17 +21,6 @@ Patch patch_of(const CellMesh& mesh, const std::array<int, n>& vertices, int k) 
 Patch cell_patch(const CellMesh& mesh, int cell) { return patch_of(mesh, mesh.cells[cell], mesh.dim); }
 Patch facet_patch(const CellMesh& mesh, int facet) { return patch_of(mesh, mesh.facets[facet].vertices, mesh.dim - 1); }
 
-// A multilinear patch lies in the convex hull of its corners, so in their bounding box.
-BoxGrid::Box bounding_box(const Patch& patch) {
-  BoxGrid::Box box{patch.corners[0], patch.corners[0]};
-  for (int v = 1; v < patch.corner_count(); ++v)
-    for (int c = 0; c < 3; ++c) {
-      box.lower[c] = std::min(box.lower[c], patch.corners[v][c]);
-      box.upper[c] = std::max(box.upper[c], patch.corners[v][c]);
-    }
-  return box;
-}
-
 /// A side of a cell, with how many cells have it, and the facets of the file that are it.
 struct CellSide {
   std::array<int, 4> vertices;  ///< of the first cell, lexicographic
@@ -66,14 +55,6 @@ std::vector<CellSide> cell_sides(const CellMesh& mesh) {
   std::vector<CellSide> out;
   for (auto& [key, side] : sides) out.push_back(std::move(side));
   return out;
-}
-
-// The box settles most of the candidates of a grid for a fraction of what the inverse of the map costs.
-bool is_near(const Patch& patch, const Point& p, double tolerance) {
-  const auto [lower, upper] = bounding_box(patch);
-  for (int c = 0; c < 3; ++c)
-    if (p[c] < lower[c] - tolerance || p[c] > upper[c] + tolerance) return false;
-  return distance(patch, p) <= tolerance;
 }
 
 }  // namespace

@@ -98,6 +98,23 @@ double determinant(const Patch& patch, const std::array<double, 3>& xi) {
   return a[0] * (b[1] * c[2] - b[2] * c[1]) + a[1] * (b[2] * c[0] - b[0] * c[2]) + a[2] * (b[0] * c[1] - b[1] * c[0]);
 }
 
+BoxGrid::Box bounding_box(const Patch& patch) {
+  BoxGrid::Box box{patch.corners[0], patch.corners[0]};
+  for (int v = 1; v < patch.corner_count(); ++v)
+    for (int c = 0; c < 3; ++c) {
+      box.lower[c] = std::min(box.lower[c], patch.corners[v][c]);
+      box.upper[c] = std::max(box.upper[c], patch.corners[v][c]);
+    }
+  return box;
+}
+
+bool is_near(const Patch& patch, const Point& p, double tolerance) {
+  const auto [lower, upper] = bounding_box(patch);
+  for (int c = 0; c < 3; ++c)
+    if (p[c] < lower[c] - tolerance || p[c] > upper[c] + tolerance) return false;
+  return distance(patch, p) <= tolerance;
+}
+
 double smallest_corner_jacobian(const Patch& patch) {
   double smallest = determinant(patch, {0, 0, 0});
   for (int v = 1; v < patch.corner_count(); ++v)

@@ -21,6 +21,11 @@ struct Patch {
 /// Distance of p from a point of the patch: to rounding the smallest one if p is near the patch, at least the smallest one elsewhere.
 double distance(const Patch& patch, const Point& p);
 
+/// Holds the patch, which lies in the convex hull of its corners.
+BoxGrid::Box bounding_box(const Patch& patch);
+/// p is within `tolerance` of the patch. (The box settles most questions for a fraction of what the inverse of the map costs.)
+bool is_near(const Patch& patch, const Point& p, double tolerance);
+
 /// The smallest determinant of dx/dxi over the corners of a cell in `dim` dimensions (k = dim), m^dim.
 double smallest_corner_jacobian(const Patch& patch);
 

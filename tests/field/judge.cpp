@@ -269,7 +269,9 @@ std::vector<Finding> judge(const Run& run, const std::string& scene, const std::
     for (const std::string& word : run.options) line += " " + quoted(word);
     if (run.command == "run") line += " --no-fields --out " + quoted(folder);
     if (line.find("'--threads'") == std::string::npos && (run.command == "run" || (run.command == "check" && !method.empty()))) line += " --threads 1";
-    const Outcome o = run.interrupt ? interrupted(line, folder, setting) : shell(limit + line);
+    Outcome o = run.interrupt ? interrupted(line, folder, setting) : shell(limit + line);
+    const std::string here = fs::current_path().string() + "/";  // of no interest to whoever reads the table
+    for (std::size_t at = o.text.find(here); at != std::string::npos; at = o.text.find(here)) o.text.erase(at, here.size());
     std::ofstream(folder + ".log") << line << "\n" << o.text << "exit code " << o.code << "\n";
     findings.push_back(look_at_words(run, o));
     for (const Read& read : run.reads) {
