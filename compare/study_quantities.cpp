@@ -7,7 +7,7 @@
 
 #include "compare/study_reading.hpp"
 #include "compare/theory.hpp"
-#include "model/motion/recorder.hpp"
+#include "model/scene/quantities.hpp"
 #include "model/scene/units.hpp"
 
 namespace femsph::compare {

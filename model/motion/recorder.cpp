@@ -10,9 +10,6 @@ namespace femsph {
 
 namespace {
 
-bool on_material(Quantity q) { return q != Quantity::displacement && q != Quantity::velocity; }
-bool scalar(Quantity q) { return q == Quantity::plastic_strain || q == Quantity::equivalent_stress; }
-
 double scalar_of(const MaterialState& state, Quantity q, std::size_t k) {
   if (q == Quantity::equivalent_stress) return von_mises(state.stress[k]);
   return state.plastic.empty() ? 0.0 : state.plastic[k];
@@ -24,30 +21,6 @@ std::vector<Weight> weights_at(const March& march, std::size_t body, Quantity qu
 }
 
 }  // namespace
-
-std::vector<std::string> component_names(Quantity quantity, int dim) {
-  if (scalar(quantity)) return {"equivalent"};
-  if (quantity == Quantity::principal_stress) return {"1", "2", "3"};
-  if (on_material(quantity)) {
-    if (dim == 2) return {"xx", "yy", "zz", "xy"};
-    return {"xx", "yy", "zz", "xy", "yz", "zx"};
-  }
-  if (dim == 2) return {"x", "y"};
-  return {"x", "y", "z"};
-}
-
-std::string unit_of(Quantity quantity) {
-  switch (quantity) {
-    case Quantity::displacement: return "m";
-    case Quantity::velocity: return "m/s";
-    case Quantity::stress:
-    case Quantity::equivalent_stress:
-    case Quantity::principal_stress: return "Pa";
-    case Quantity::strain:
-    case Quantity::plastic_strain: break;
-  }
-  return "1";
-}
 
 Recorder::Recorder(const March& march) {
   const Scene& scene = march.scene();
@@ -115,7 +88,7 @@ std::vector<double> Recorder::read(const March& march, const Reading& reading) c
     for (const Weight& w : reading.weights) points.push_back(w.point);
     MaterialState state;
     d.material_state(body.u.data(), points, state);
-    if (scalar(reading.quantity)) {
+    if (is_scalar(reading.quantity)) {
       double value = 0;
       for (std::size_t k = 0; k < points.size(); ++k) value += reading.weights[k].weight * scalar_of(state, reading.quantity, k);
       return {value};

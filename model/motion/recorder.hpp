@@ -7,13 +7,9 @@
 
 #include "model/motion/balance.hpp"
 #include "model/results/history.hpp"
+#include "model/scene/quantities.hpp"
 
 namespace femsph {
-
-/// Names of the components of a quantity: x y z, or xx yy zz xy yz zx, or "equivalent" of a scalar, or 1 2 3 of principal stresses; z drops out of 2D vectors,
-/// yz zx out of 2D tensors.
-std::vector<std::string> component_names(Quantity quantity, int dim);
-std::string unit_of(Quantity quantity);
 
 class Recorder {
  public:
