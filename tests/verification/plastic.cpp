@@ -63,19 +63,24 @@ TEST(Plastic, EnergyBalancesUnderEveryRule) {
 }
 
 // What plastic flow takes of fem-one-point's stabilization is counted with the bending at the end of the step (one_point.hpp): that is of the
-// first order in the step, so a quarter of the step leaves a third of the imbalance at most, and it is small beside what bends in the cells.
+// first order in the step, so a quarter of the step leaves a quarter of the imbalance and what is of higher order, a third at most. Under the sign rule,
+// whose strength jumps where a strain changes its sign, the step also decides when that is: no order there. 2e-4 is measured (1.3e-4 at most), not derived.
 TEST(Plastic, EnergyOfSoftenedStabilizationIsOfFirstOrder) {
-  const Scene scene = impact("", "", 20, "[time]\nduration = \"60 us\"\n");
-  const auto imbalance = [&](double safety) {
-    compare::RunOptions options;
-    options.march.safety = safety;
-    const auto r = compare::run_scene(scene, compare::method_named("fem-one-point"), {4e-3}, options);
-    EXPECT_GT(r.ledger.plastic, 0.05 * r.ledger.initial);
-    return std::abs(r.ledger.imbalance()) / r.ledger.initial;
-  };
-  const double coarse = imbalance(0.9), fine = imbalance(0.225);
-  EXPECT_LT(coarse, 1e-3);
-  EXPECT_LT(fine, coarse / 3);
+  for (const char* law : {"", "tension = \"sign\"\ntensile_strength = \"30 MPa\"", "tension = \"principal\"\ntensile_strength = \"30 MPa\"",
+                          "integration = \"no-return-8\""}) {
+    const Scene scene = impact(law, "", 20, "[time]\nduration = \"60 us\"\n");
+    const auto imbalance = [&](double safety) {
+      compare::RunOptions options;
+      options.march.safety = safety;
+      const auto r = compare::run_scene(scene, compare::method_named("fem-one-point"), {4e-3}, options);
+      EXPECT_GT(r.ledger.plastic, 0.05 * r.ledger.initial) << law;
+      EXPECT_EQ(r.history["plastic_work"].values.back(), r.ledger.plastic);
+      return std::abs(r.ledger.imbalance()) / r.ledger.initial;
+    };
+    const double coarse = imbalance(0.9), fine = imbalance(0.225);
+    EXPECT_LT(coarse, 2e-4) << law;
+    EXPECT_LT(fine, std::string_view(law).find("\"sign\"") == std::string_view::npos ? coarse / 3 : 2e-4) << law;
+  }
 }
 
 /// Mean of a column between two times.
