@@ -39,21 +39,23 @@ double in_range(const std::string& option, const char* name, double value) {
 void refuse_idle(const RunCommand& c, const Method& method) {
   const auto refuse = [&](bool given, const std::string& option) {
     if (const std::string why = why_idle(method, option); given && !why.empty())
-      throw BadCommand(fmt::format("--{} does nothing with {}: {}", option, method.name, why));
+      throw BadCommand(fmt::format("--{} does nothing with {}: {}", option == "kernel_volume" ? "kernel-volume" : option, method.name, why));
   };
   refuse(c.smoothing.has_value(), "smoothing");
   refuse(c.kernel.has_value(), "kernel");
   refuse(c.mass.has_value(), "mass");
+  refuse(c.kernel_volume.has_value(), "kernel_volume");
+  refuse(c.dilatation.has_value(), "dilatation");
   refuse(!c.viscosity.empty(), "viscosity");
   refuse(c.hourglass.has_value(), "hourglass");
 }
 
 void set_sph_options(sph::Options& o, const RunCommand& c) {
   if (c.smoothing) o.smoothing = in_range("--smoothing", "smoothing", *c.smoothing);
-  if (c.kernel)
-    o.kernel = word<sph::KernelKind>("--kernel", *c.kernel, {{"cubic-spline", sph::KernelKind::cubic_spline}, {"wendland-c2", sph::KernelKind::wendland_c2}});
-  if (c.mass)
-    o.mass = word<sph::MassRule>("--mass", *c.mass, {{"share", sph::MassRule::share}, {"full", sph::MassRule::full}, {"trapezoid", sph::MassRule::trapezoid}});
+  if (c.kernel) o.kernel = word("--kernel", *c.kernel, kernel_words);
+  if (c.mass) o.mass = word("--mass", *c.mass, mass_words);
+  if (c.kernel_volume) o.kernel_volume = word("--kernel-volume", *c.kernel_volume, kernel_volume_words);
+  if (c.dilatation) o.dilatation = word("--dilatation", *c.dilatation, dilatation_words);
   if (!c.viscosity.empty())
     o.viscosity = {in_range("--viscosity", "alpha", c.viscosity[0]), in_range("--viscosity", "beta", c.viscosity[1]), in_range("--viscosity", "gamma", c.viscosity[2])};
   if (c.hourglass) o.hourglass = in_range("--hourglass", "hourglass", *c.hourglass);

@@ -19,7 +19,7 @@ struct RunCommand {
   std::optional<std::string> spacing;
   std::vector<int> divisions;
   std::optional<double> smoothing;
-  std::optional<std::string> kernel, mass;
+  std::optional<std::string> kernel, mass, kernel_volume, dilatation;
   std::vector<double> viscosity;  ///< alpha, beta, gamma
   std::optional<double> hourglass;
   double safety = 0.9;

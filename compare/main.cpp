@@ -36,6 +36,10 @@ void add_method_options(CLI::App* command, RunCommand& c) {
   command->add_option("--smoothing", c.smoothing, "SPH: smoothing length h over the spacing d, 0.6 to 4 (default 1)");
   command->add_option("--kernel", c.kernel, "SPH: cubic-spline (default) or wendland-c2");
   command->add_option("--mass", c.mass, "SPH: mass of a particle: share, full or trapezoid (default: the method's)");
+  command->add_option("--kernel-volume", c.kernel_volume, "corrected SPH: a neighbour's volume in kernel sums: whole (its whole cell, default) or own (half a cell on a side)");
+  command->add_option("--dilatation", c.dilatation,
+                      "corrected SPH: the change of volume that the law is given: local (the particle's own), mean (over its neighbours), or\n"
+                      "automatic (default: mean where Poisson's ratio is above 0.4 or the material is plastic, except in plane stress)");
   command->add_option("--viscosity", c.viscosity, "classic SPH: alpha,beta,gamma of the artificial viscosity (eq. 5)")->delimiter(',')->expected(3);
   command->add_option("--hourglass", c.hourglass, "coefficient of the hourglass control, 0 to 10: sph-corrected; fem-one-point takes Flanagan and Belytschko's control by it, instead of its physical stabilization");
   command->add_option("--safety", c.safety, "step = safety x critical step; above 0, up to 1")->capture_default_str();

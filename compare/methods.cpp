@@ -27,6 +27,9 @@ Method classic(const char* name, const char* about, sph::MassRule mass, sph::Bou
 
 const std::vector<Method>& methods() {
   using sph::Boundary, sph::MassRule;
+  sph::Options own_volume;
+  own_volume.kernel_volume = sph::KernelVolume::own;
+  own_volume.hourglass = 0.1;
   static const std::vector<Method> all{
       fem_method("fem-full", fem::Element::full,
                  "linear cells, full integration; too stiff in bending, and locks in volume (Poisson's ratio near 1/2, plastic flow)"),
@@ -42,7 +45,8 @@ const std::vector<Method>& methods() {
       // Of the three mass rules these two come nearest to the paper's figs 5 to 10: studies/uniaxial and studies/boundary.
       classic("sph-virtual", "uncorrected gradient with virtual particles outside the surface", MassRule::trapezoid, Boundary::virtual_particles),
       classic("sph-weight", "uncorrected gradient with a weight for the missing neighbours", MassRule::share, Boundary::weight),
-      {"sph-corrected", sph::Options{}, "corrected gradient with hourglass control: exact for linear motion"},
+      {"sph-corrected", sph::Options{}, "corrected gradient over whole cells, with hourglass control: exact for linear motion, second order to the surface"},
+      {"sph-corrected-own-volume", own_volume, "the same with half cells on sides in the kernel sums: one-sided below the surface, and too soft; for comparison"},
   };
   return all;
 }

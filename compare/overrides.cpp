@@ -5,14 +5,16 @@
 #include <algorithm>
 
 namespace femsph::compare {
+
+const Words<sph::KernelKind> kernel_words = {{"cubic-spline", sph::KernelKind::cubic_spline}, {"wendland-c2", sph::KernelKind::wendland_c2}};
+const Words<sph::MassRule> mass_words = {
+    {"share", sph::MassRule::share}, {"full", sph::MassRule::full}, {"trapezoid", sph::MassRule::trapezoid}};
+const Words<sph::KernelVolume> kernel_volume_words = {{"whole", sph::KernelVolume::whole}, {"own", sph::KernelVolume::own}};
+const Words<sph::Dilatation> dilatation_words = {
+    {"automatic", sph::Dilatation::automatic}, {"local", sph::Dilatation::local}, {"mean", sph::Dilatation::mean}};
+
 namespace {
 
-template <class T>
-using Words = std::vector<std::pair<std::string, T>>;
-
-const Words<sph::KernelKind> kernels = {{"cubic-spline", sph::KernelKind::cubic_spline}, {"wendland-c2", sph::KernelKind::wendland_c2}};
-const Words<sph::MassRule> masses = {
-    {"share", sph::MassRule::share}, {"full", sph::MassRule::full}, {"trapezoid", sph::MassRule::trapezoid}};
 const Words<sph::Boundary> boundaries = {
     {"none", sph::Boundary::none}, {"virtual-particles", sph::Boundary::virtual_particles}, {"weight", sph::Boundary::weight}};
 
@@ -48,6 +50,8 @@ void Overrides::apply(Method& method) const {
   set(smoothing, sph.smoothing);
   set(kernel, sph.kernel);
   set(mass, sph.mass);
+  set(kernel_volume, sph.kernel_volume);
+  set(dilatation, sph.dilatation);
   set(boundary, sph.boundary);
   set(alpha, sph.viscosity.alpha);
   set(beta, sph.viscosity.beta);
@@ -62,8 +66,10 @@ std::string Overrides::describe() const {
     if (value) text += fmt::format(" {}={:g}", name, *value);
   };
   number("smoothing", smoothing);
-  if (kernel) text += " kernel=" + word_of(kernels, *kernel);
-  if (mass) text += " mass=" + word_of(masses, *mass);
+  if (kernel) text += " kernel=" + word_of(kernel_words, *kernel);
+  if (mass) text += " mass=" + word_of(mass_words, *mass);
+  if (kernel_volume) text += " kernel_volume=" + word_of(kernel_volume_words, *kernel_volume);
+  if (dilatation) text += " dilatation=" + word_of(dilatation_words, *dilatation);
   if (boundary) text += " boundary=" + word_of(boundaries, *boundary);
   number("alpha", alpha);
   number("beta", beta);
@@ -93,6 +99,7 @@ std::string why_idle(const Method& method, const std::string& option) {
   if (option == "distortion") return "it is an option of FEM";
   if (option == "hourglass" && classic) return "classic SPH has no hourglass control";
   const bool viscosity = option == "viscosity" || option == "alpha" || option == "beta" || option == "gamma";
+  if ((option == "kernel_volume" || option == "dilatation") && classic) return "it belongs to corrected SPH";
   if ((viscosity || option == "boundary") && !classic) return "it belongs to classic SPH";
   return "";
 }
@@ -105,8 +112,10 @@ Overrides read_overrides(Fields& options, const std::vector<Method>& methods) {
   if (!any_sph) read.distortion = read_number(options, "distortion");
   if (!any_fem) {
     read.smoothing = read_number(options, "smoothing");
-    read.kernel = options.choice("kernel", Need::optional, kernels);
-    read.mass = options.choice("mass", Need::optional, masses);
+    read.kernel = options.choice("kernel", Need::optional, kernel_words);
+    read.mass = options.choice("mass", Need::optional, mass_words);
+    read.kernel_volume = options.choice("kernel_volume", Need::optional, kernel_volume_words);
+    read.dilatation = options.choice("dilatation", Need::optional, dilatation_words);
     read.boundary = options.choice("boundary", Need::optional, boundaries);
     read.alpha = read_number(options, "alpha");
     read.beta = read_number(options, "beta");
@@ -114,7 +123,7 @@ Overrides read_overrides(Fields& options, const std::vector<Method>& methods) {
     read.jitter = read_number(options, "jitter");
   }
   options.done();
-  for (const std::string key : {"hourglass", "boundary", "alpha", "beta", "gamma"}) {
+  for (const std::string key : {"hourglass", "boundary", "kernel_volume", "dilatation", "alpha", "beta", "gamma"}) {
     if (!options.has(key.c_str()) || (any_fem && key != "hourglass")) continue;
     for (const Method& method : methods)
       if (const std::string why = why_idle(method, key); !why.empty()) {

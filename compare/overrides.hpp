@@ -11,6 +11,8 @@ struct Overrides {
   std::optional<sph::KernelKind> kernel;
   std::optional<sph::MassRule> mass;
   std::optional<sph::Boundary> boundary;
+  std::optional<sph::KernelVolume> kernel_volume;
+  std::optional<sph::Dilatation> dilatation;
 
   void apply(Method& method) const;
   /// " smoothing=1.2 alpha=5", to tell a changed method from the plain one in tables; empty if nothing is changed.
@@ -28,7 +30,15 @@ struct OptionRange {
 /// smoothing, alpha, beta, gamma, hourglass, jitter, distortion.
 const OptionRange& option_range(const std::string& name);
 
-/// Why an option (by its name above, or viscosity, kernel, mass, boundary) does nothing with this method: "hourglass control belongs to ..";
+/// The words of a method's options, for the command line and for studies alike.
+template <class T>
+using Words = std::vector<std::pair<std::string, T>>;
+extern const Words<sph::KernelKind> kernel_words;
+extern const Words<sph::MassRule> mass_words;
+extern const Words<sph::KernelVolume> kernel_volume_words;
+extern const Words<sph::Dilatation> dilatation_words;
+
+/// Why an option (by its name above, or viscosity, kernel, mass, boundary, kernel_volume, dilatation) does nothing with this method: "hourglass control belongs to ..";
 /// empty where it does something.
 std::string why_idle(const Method& method, const std::string& option);
 

@@ -7,6 +7,9 @@
 
 namespace femsph::sph {
 
+/// Whether a body of corrected SPH is given the mean change of volume. Throws Refusal if it is asked for and has no use.
+bool wants_mean_dilatation(const Options& options, const LinearElastic& elastic, bool plastic);
+
 template <int dim>
 std::unique_ptr<Discretization> total_lagrangian(const Scene& scene, std::size_t body, const Options& options, Particles particles, const Kernel& kernel);
 extern template std::unique_ptr<Discretization> total_lagrangian<2>(const Scene&, std::size_t, const Options&, Particles, const Kernel&);

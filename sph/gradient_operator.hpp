@@ -13,7 +13,7 @@
 
 namespace femsph::sph {
 
-enum class Correction { none, matrix, matrix_and_hourglass };
+enum class Correction { none, matrix, matrix_and_hourglass, hourglass_and_mean_dilatation };
 
 std::unique_ptr<RowSource> rows_of(const Particles& particles, const Kernel& kernel, const Options& options);
 

@@ -15,6 +15,9 @@ enum class MassRule { share, full, trapezoid };
 /// Volume that a neighbour has in the kernel sums of the corrected form: that of its whole cell, however much of it lies in the body, or its own
 /// (half a cell on a side). Mass, energy and loads always take its own.
 enum class KernelVolume { whole, own };
+/// Which change of volume the law is given (corrected only): the particle's own, or the mean over its neighbours, which keeps the pressure from
+/// alternating where a body keeps its volume. automatic: the mean where Poisson's ratio is above 0.4 or the material is plastic, except in plane stress.
+enum class Dilatation { automatic, local, mean };
 /// What makes up for the missing neighbours beyond a free surface (classic only; corrected needs none).
 enum class Boundary { none, virtual_particles, weight };
 
@@ -32,8 +35,9 @@ struct Options {
   MassRule mass = MassRule::trapezoid;
   Boundary boundary = Boundary::none;
   KernelVolume kernel_volume = KernelVolume::whole;  ///< corrected only; classic takes its own
+  Dilatation dilatation = Dilatation::automatic;
   Viscosity viscosity;
-  double hourglass = 0.1;     ///< coefficient of the hourglass control of the corrected formulation
+  double hourglass = 0.02;    ///< coefficient of the hourglass control of the corrected formulation
   double jitter = 0;          ///< particles moved at random by up to this share of d (tests; neighbour-list path)
   bool fitted = true;         ///< particles of round shapes, quadrilaterals and meshes follow their sides where they can; false: a lattice that sides cut
   bool force_lists = false;   ///< use neighbour lists even on a lattice (tests, bench)

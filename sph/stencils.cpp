@@ -93,6 +93,8 @@ std::size_t ListStencils<dim>::bytes() const {
   return begin_.size() * sizeof(std::size_t) + index_.size() * sizeof(std::int32_t) + weight_.size() * sizeof(double);
 }
 
+template class LatticeStencils<1>;  // of one value a particle: mean_dilatation.hpp
+template class ListStencils<1>;
 template class LatticeStencils<2>;
 template class LatticeStencils<3>;
 template class ListStencils<2>;

@@ -77,6 +77,7 @@ template <int dim>
 class LatticeStencils {
  public:
   using Tensors = TensorRows<dim>;
+  using OneValue = LatticeStencils<1>;  ///< the same particles with one value each
   LatticeStencils(const RowSource& rows, std::size_t particles);
   std::size_t blocks() const { return descriptor_of_.size(); }
   std::size_t bytes() const;
@@ -124,6 +125,14 @@ class LatticeStencils {
       }
       take(difference, w, masked(s.mask, s.scale));
     }
+  }
+  /// Calls take(j) for every neighbour of a block's particles; a neighbour of several comes several times.
+  template <class Take>
+  void each_index(std::size_t block, Take&& take) const {
+    const Descriptor& d = descriptors_[descriptor_of_[block]];
+    for (std::uint32_t k = d.begin[0]; k < d.begin[groups]; ++k)
+      for (int l = 0; l < lanes; ++l)
+        if (slots_[k].mask >> l & 1) take(std::size_t(std::ptrdiff_t(block * lanes) + l + slots_[k].offset));
   }
 
  private:
@@ -201,6 +210,7 @@ template <int dim>
 class ListStencils {
  public:
   using Tensors = std::conditional_t<dim == 3, TensorRecords, TensorRows<dim>>;
+  using OneValue = ListStencils<1>;
   ListStencils(const RowSource& rows, std::size_t particles);
   std::size_t blocks() const { return begin_.size() - 1; }
   std::size_t bytes() const;
@@ -247,6 +257,10 @@ class ListStencils {
       take(difference, w, load<Pack>(&weight_[(k * (dim + 1) + dim) * lanes]));
     }
   }
+  template <class Take>
+  void each_index(std::size_t block, Take&& take) const {
+    for (std::size_t k = begin_[block] * lanes; k < begin_[block + 1] * lanes; ++k) take(std::size_t(index_[k]));
+  }
 
  private:
   FEMSPH_INLINE static Pack gather(const double* p, const std::int32_t* index) {
@@ -257,6 +271,8 @@ class ListStencils {
   AlignedVector<double> weight_;       ///< [group][w.., scale][lane]
 };
 
+extern template class LatticeStencils<1>;
+extern template class ListStencils<1>;
 extern template class LatticeStencils<2>;
 extern template class LatticeStencils<3>;
 extern template class ListStencils<2>;

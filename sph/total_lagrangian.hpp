@@ -9,6 +9,7 @@
 #include "model/numerics/array.hpp"
 #include "model/numerics/parallel.hpp"
 #include "sph/gradient_operator.hpp"
+#include "sph/mean_dilatation.hpp"
 #include "sph/particle_body.hpp"
 #include "sph/viscosity.hpp"
 
@@ -17,7 +18,8 @@ namespace femsph::sph {
 template <int dim, class Stencils, class Kinematics, class LawType, Correction correction>
 class TotalLagrangian final : public ParticleBody {
   static constexpr bool corrected = correction != Correction::none;
-  static constexpr bool hourglass = correction == Correction::matrix_and_hourglass;
+  static constexpr bool mean = correction == Correction::hourglass_and_mean_dilatation;
+  static constexpr bool hourglass = correction == Correction::matrix_and_hourglass || mean;
   static constexpr int n_symmetric = symmetric_size<dim>, n_state = point_state_size<LawType, dim>;
 
  public:
@@ -25,6 +27,10 @@ class TotalLagrangian final : public ParticleBody {
       : ParticleBody(scene, body, options, std::move(particles), kernel), law_(law), operator_(particles_, kernel, options, thickness_) {
     q_.assign(stride() * dim * dim, 0.0);
     if constexpr (hourglass) l_.assign(blocks() * lanes * dim, 0.0);
+    if constexpr (mean) {
+      dilatation_ = std::make_unique<Dilatations>(particles_, layout_.offset, stride());
+      h_.assign(blocks() * lanes * dim * dim, 0.0);
+    }
     state_.assign(blocks() * lanes * n_state, 0.0);
     const LinearElastic elastic = law_.elastic();
     kappa_ = options_.hourglass * hourglass_modulus(elastic);
@@ -32,7 +38,8 @@ class TotalLagrangian final : public ParticleBody {
   }
 
   std::size_t bytes() const override {
-    return ParticleBody::bytes() + operator_.bytes() + (viscosity_ ? viscosity_->bytes() : 0) + (q_.size() + l_.size() + state_.size()) * sizeof(double);
+    return ParticleBody::bytes() + operator_.bytes() + (viscosity_ ? viscosity_->bytes() : 0) + (q_.size() + l_.size() + h_.size() + state_.size()) * sizeof(double) +
+           (dilatation_ ? dilatation_->bytes() : 0);
   }
 
   void internal_force(const double* given, const double* v, [[maybe_unused]] double dt, double* f, double* viscous) override {
@@ -85,15 +92,30 @@ class TotalLagrangian final : public ParticleBody {
 
   template <class Motion, class StressOf>
   void strain_to_stress(const double* u, StressOf&& stress_of) const {
+    if constexpr (mean) changes_of_volume<Motion, hourglass>(u);
     parallel_for(blocks() * lanes, lanes, [&](std::size_t begin, std::size_t end) {
       for (std::size_t block = begin / lanes; block < end / lanes; ++block) {
         Tensor<Pack, dim> H, P;
         Pack L[dim];
-        gradient<hourglass>(block, u, H, L);
+        if constexpr (mean) {
+          H = kept_gradient(block);
+          for (int r = 0; r < dim; ++r) L[r] = load<Pack>(&l_[(block * dim + r) * lanes]);
+        } else {
+          gradient<hourglass>(block, u, H, L);
+        }
         Symmetric<Pack, dim> strain;
         const auto frame = Motion::template strain<Pack, dim>(H, strain);
-        const Symmetric<Pack, dim> stress = stress_of(block, strain);
-        Motion::template piola<Pack, dim>(frame, strain, stress, P);
+        if constexpr (mean) {
+          Symmetric<Pack, dim> enlarged = strain;
+          const Pack r = VolumeChange<Motion, dim>::add(dilatation_->volume_excess(block), enlarged);
+          const Symmetric<Pack, dim> stress = stress_of(block, enlarged);
+          store(dilatation_->pressure(block), VolumeChange<Motion, dim>::work(enlarged, stress));
+          Motion::template piola<Pack, dim>(frame, strain, stress, P);
+          VolumeChange<Motion, dim>::scale(r, P);
+        } else {
+          const Symmetric<Pack, dim> stress = stress_of(block, strain);
+          Motion::template piola<Pack, dim>(frame, strain, stress, P);
+        }
         if constexpr (corrected) {
           P = operator_.times_correction(block, P);
           const Pack part = operator_.fraction(block);
@@ -109,6 +131,55 @@ class TotalLagrangian final : public ParticleBody {
         for (int r = 0; r < dim; ++r)
           for (int c = 0; c < dim; ++c) Q[r * dim + c] = P[r][c];
         Tensors::store(&q_[q_slot(block * lanes, 0, 0)], stride(), Q);
+      }
+    });
+    if constexpr (mean) add_mean_pressure<Motion>();
+  }
+  Tensor<Pack, dim> kept_gradient(std::size_t block) const {
+    Tensor<Pack, dim> H;
+    for (int r = 0; r < dim; ++r)
+      for (int c = 0; c < dim; ++c) H[r][c] = load<Pack>(&h_[(block * dim * dim + r * dim + c) * lanes]);
+    return H;
+  }
+  /// theta of a block, whose gradient is kept.
+  template <class Motion, bool with_scale>
+  FEMSPH_INLINE void change_of_volume(std::size_t block, const double* u) const {
+    Tensor<Pack, dim> H;
+    Pack L[dim];
+    gradient<with_scale>(block, u, H, L);
+    for (int r = 0; r < dim; ++r) {
+      if constexpr (with_scale) store(&l_[(block * dim + r) * lanes], L[r]);
+      for (int c = 0; c < dim; ++c) store(&h_[(block * dim * dim + r * dim + c) * lanes], H[r][c]);
+    }
+    store(dilatation_->volume(block), VolumeChange<Motion, dim>::of(H));
+  }
+  template <class Motion, bool with_scale>
+  void changes_of_volume(const double* u) const {
+    parallel_for(blocks() * lanes, lanes, [&](std::size_t begin, std::size_t end) {
+      for (std::size_t block = begin / lanes; block < end / lanes; ++block) change_of_volume<Motion, with_scale>(block, u);
+    });
+    dilatation_->mirror_volume(particles_);
+  }
+  /// The strain that the law is given, of the volumes known.
+  template <class Motion>
+  FEMSPH_INLINE void enlarge([[maybe_unused]] std::size_t block, [[maybe_unused]] Symmetric<Pack, dim>& strain) const {
+    if constexpr (mean) VolumeChange<Motion, dim>::add(dilatation_->volume_excess(block), strain);
+  }
+  void mean_stresses_around(const double* u, std::span<const std::size_t> points) const;
+  /// Q += (V / K) (D p) C B
+  template <class Motion>
+  void add_mean_pressure() const {
+    dilatation_->mirror_pressure(particles_);
+    parallel_for(blocks() * lanes, lanes, [&](std::size_t begin, std::size_t end) {
+      for (std::size_t block = begin / lanes; block < end / lanes; ++block) {
+        const Pack p = operator_.fraction(block) * dilatation_->pressure_excess(block);
+        const Tensor<Pack, dim> CB = operator_.times_correction(block, VolumeChange<Motion, dim>::direction(kept_gradient(block)));
+        double* q = &q_[q_slot(block * lanes, 0, 0)];
+        Pack Q[dim * dim];
+        Tensors::load(q, stride(), Q);
+        for (int r = 0; r < dim; ++r)
+          for (int c = 0; c < dim; ++c) Q[r * dim + c] += p * CB[r][c];
+        Tensors::store(q, stride(), Q);
       }
     });
   }
@@ -193,6 +264,9 @@ class TotalLagrangian final : public ParticleBody {
   double kappa_ = 0;                       ///< hourglass stiffness, Pa
   mutable AlignedVector<double> q_;        ///< Q, as the stencils want it
   mutable AlignedVector<double> l_;        ///< L of the hourglass control, [block][component][lane]
+  using Dilatations = MeanDilatation<typename Stencils::OneValue>;
+  std::unique_ptr<Dilatations> dilatation_;  ///< only with the mean dilatation
+  mutable AlignedVector<double> h_;          ///< H then, [block][component][lane]
   AlignedVector<double> state_;            ///< of the law, [block][value][lane]
 };
 

@@ -15,6 +15,7 @@ Energies TotalLagrangian<dim, Stencils, Kinematics, LawType, correction>::energi
   each_bar<Kinematics>(u, bars_.pieces, [&](const SmearedPiece& piece, double strain, const Pull&) {
     in_bars += bars_.volume(piece) * bars_.rows[piece.row].law.stored(strain, piece.state);
   });
+  if constexpr (mean) changes_of_volume<Kinematics, false>(u);
   const auto [stored, controlled, lost] = parallel_sums<3>(blocks(), [&](std::size_t begin, std::size_t end) {
     Pack stored{}, controlled{}, lost{};
     for (std::size_t block = begin; block < end; ++block) {
@@ -23,6 +24,7 @@ Energies TotalLagrangian<dim, Stencils, Kinematics, LawType, correction>::energi
       gradient<false>(block, u, H, L);
       Symmetric<Pack, dim> strain;
       Kinematics::template strain<Pack, dim>(H, strain);
+      enlarge<Kinematics>(block, strain);
       const Pack volume = operator_.volume(block);
       stored += volume * law_.stored_energy(strain, stress_now(block, strain), history(block));
       if constexpr (n_state > 0) lost += volume * law_.plastic_work(history(block));
@@ -66,9 +68,11 @@ void TotalLagrangian<dim, Stencils, Kinematics, LawType, correction>::material_s
   out.stress.resize(points.size());
   out.strain.resize(points.size());
   out.plastic.resize(n_state == 0 ? 0 : points.size());
+  if constexpr (mean) mean_stresses_around(u, points);
   parallel_for(points.size(), lanes, [&](std::size_t begin, std::size_t end) {
     Tensor<Pack, dim> H;
     Symmetric<Pack, dim> strain, stress;
+    [[maybe_unused]] Pack excess{};
     std::size_t known = std::size_t(-1);
     for (std::size_t k = begin; k < end; ++k) {
       const std::size_t block = points[k] / lanes, lane = points[k] % lanes;
@@ -76,7 +80,9 @@ void TotalLagrangian<dim, Stencils, Kinematics, LawType, correction>::material_s
         Pack L[dim];
         gradient<false>(block, u, H, L);
         Kinematics::template strain<Pack, dim>(H, strain);
+        enlarge<Kinematics>(block, strain);
         stress = stress_now(block, strain);
+        if constexpr (mean) excess = dilatation_->pressure_excess(block);
         known = block;
       }
       Tensor<double, dim> h;
@@ -92,8 +98,39 @@ void TotalLagrangian<dim, Stencils, Kinematics, LawType, correction>::material_s
         spatial_state<Kinematics>(law_, h, s, e, own, out.stress[k], out.strain[k]);
         out.plastic[k] = law_.plastic_strain(own);
       }
+      if constexpr (mean) {  // over J, as a Cauchy stress; the law's volume, as the law's stress
+        double volume = 1;
+        if constexpr (!std::is_same_v<Kinematics, SmallStrain>) volume += growth(e);
+        for (int c = 0; c < 3; ++c) out.stress[k][c] += excess[lane] / volume;
+      }
     }
   });
+}
+
+/// theta and p as far as D needs them at the points: p of the neighbours, and for it theta of theirs.
+template <int dim, class Stencils, class Kinematics, class LawType, Correction correction>
+void TotalLagrangian<dim, Stencils, Kinematics, LawType, correction>::mean_stresses_around(const double* u, std::span<const std::size_t> points) const {
+  std::vector<char> asked(blocks(), 0), near(blocks(), 0), needed(blocks(), 0);
+  for (const std::size_t point : points) asked[point / lanes] = 1;
+  for (std::size_t block = 0; block < blocks(); ++block)
+    if (asked[block]) dilatation_->mark(block, particles_, near);
+  for (std::size_t block = 0; block < blocks(); ++block)
+    if (near[block]) dilatation_->mark(block, particles_, needed);
+  const auto each = [&](const std::vector<char>& marked, auto&& run) {
+    parallel_for(blocks(), 1, [&](std::size_t begin, std::size_t end) {
+      for (std::size_t block = begin; block < end; ++block)
+        if (marked[block]) run(block);
+    }, lanes);
+  };
+  each(needed, [&](std::size_t block) { change_of_volume<Kinematics, false>(block, u); });
+  dilatation_->mirror_volume(particles_);
+  each(near, [&](std::size_t block) {
+    Symmetric<Pack, dim> strain;
+    Kinematics::template strain<Pack, dim>(kept_gradient(block), strain);
+    enlarge<Kinematics>(block, strain);
+    store(dilatation_->pressure(block), VolumeChange<Kinematics, dim>::work(strain, stress_now(block, strain)));
+  });
+  dilatation_->mirror_pressure(particles_);
 }
 
 /// det F <= 0 at a particle.
