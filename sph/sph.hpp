@@ -37,7 +37,7 @@ struct Options {
   KernelVolume kernel_volume = KernelVolume::whole;  ///< corrected only; classic takes its own
   Dilatation dilatation = Dilatation::automatic;
   Viscosity viscosity;
-  double hourglass = 0.02;    ///< coefficient of the hourglass control of the corrected formulation
+  double hourglass = 0.03;    ///< coefficient of the hourglass control of the corrected formulation
   double jitter = 0;          ///< particles moved at random by up to this share of d (tests; neighbour-list path)
   bool fitted = true;         ///< particles of round shapes, quadrilaterals and meshes follow their sides where they can; false: a lattice that sides cut
   bool force_lists = false;   ///< use neighbour lists even on a lattice (tests, bench)
