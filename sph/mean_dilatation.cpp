@@ -1,6 +1,7 @@
 #include "sph/mean_dilatation.hpp"
 
 #include <algorithm>
+#include <numeric>
 
 namespace femsph::sph {
 
@@ -18,13 +19,31 @@ AveragingRows::AveragingRows(const Particles& particles) : p_(particles), cells_
   // r <- sqrt(r / sum_j N_ij r_j) of the unscaled N (the symmetric scaling of Sinkhorn). A few turns will do, as D keeps constants in any case;
   // and what is as good as 1 is 1, so that equal places keep equal rows.
   scale_.assign(p_.position.size(), 1.0);
-  std::vector<Row> rows(p_.size());
-  for (std::size_t i = 0; i < p_.size(); ++i) collect(i, rows[i]);
+  struct Bond {
+    int to;
+    double weight;
+  };
+  const auto own = [&](std::size_t i) { return p_.volume[i] / (p_.cell * p_.fraction[i] * std::pow(2.0, p_.dim)); };
+  Row row;
+  double worst = 0;
+  for (std::size_t i = 0; i < p_.size() && worst < 1e-4; ++i) {
+    collect(i, row);
+    worst = std::max(worst, std::abs(std::accumulate(row.begin(), row.end(), own(i) - 1, [](double sum, const Neighbour& n) { return sum + n.w[0]; })));
+  }
+  if (worst < 1e-4) return;  // a box
+  std::vector<Bond> bonds;   // each particle's, one after the other, itself first
+  std::vector<std::size_t> begin{0};
+  for (std::size_t i = 0; i < p_.size(); ++i) {
+    collect(i, row);
+    bonds.push_back({int(i), own(i)});
+    for (const Neighbour& n : row) bonds.push_back({n.index, n.w[0]});
+    begin.push_back(bonds.size());
+  }
   std::vector<double> next(p_.size());
   for (int turn = 0; turn < 12; ++turn) {
     for (std::size_t i = 0; i < p_.size(); ++i) {
-      double sum = p_.volume[i] / (p_.cell * p_.fraction[i] * std::pow(2.0, p_.dim)) * scale_[i];
-      for (const Neighbour& n : rows[i]) sum += n.w[0] * scale_[std::size_t(n.index)];
+      double sum = 0;
+      for (std::size_t k = begin[i]; k < begin[i + 1]; ++k) sum += bonds[k].weight * scale_[std::size_t(bonds[k].to)];
       next[i] = std::sqrt(scale_[i] / sum);
     }
     std::copy(next.begin(), next.end(), scale_.begin());
