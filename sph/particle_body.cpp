@@ -237,6 +237,18 @@ std::vector<Weight> ParticleBody::interpolation(const Point& p) const {
   return least_squares_weights({particles_.position.data(), particles_.size()}, particles_.dim, p, 1.6 * particles_.spacing, 1e-6 * particles_.spacing);
 }
 
+MaterialUnits ParticleBody::material_units() const {
+  MaterialUnits units;
+  units.dim = particles_.dim;
+  const std::size_t n = particles_.size();
+  units.place.assign(particles_.position.begin(), particles_.position.begin() + std::ptrdiff_t(n));
+  for (std::size_t i = 0; i < n; ++i) units.volume.push_back(particles_.own_volume(i));
+  std::array<double, 6> shape{};
+  for (std::size_t a = 0; a < std::size_t(particles_.dim); ++a) shape[a] = std::pow(particles_.cells.empty() ? particles_.lattice.spacing[a] : particles_.spacing, 2);
+  units.shape = {shape};
+  return units;
+}
+
 Topology ParticleBody::topology() const { return {}; }
 
 std::vector<Facet> ParticleBody::boundary() const {

@@ -37,6 +37,8 @@ class ParticleBody : public Discretization {
   std::size_t material_points() const override { return particles_.size(); }
   Point material_position(std::size_t point) const override { return particles_.position[point]; }
   double material_volume(std::size_t point) const override { return particles_.own_volume(point) * thickness_; }
+  /// Each particle at its own place; see TotalLagrangian for where a corrected gradient belongs.
+  MaterialUnits material_units() const override;
   Topology topology() const override;
   /// The sides of the lattice's cells between particles that belong to one cell: particles sit on the surface, and so do they;
   /// of a fitted body those of its own cells.

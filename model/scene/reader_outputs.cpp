@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cctype>
 
+#include "model/scene/quantities.hpp"
 #include "model/scene/scene_reader.hpp"
 
 namespace femsph::scene_reader {
@@ -19,6 +20,16 @@ std::optional<Quantity> read_observed(Fields& fields) {
                                   {"plastic_strain", Quantity::plastic_strain},
                                   {"equivalent_stress", Quantity::equivalent_stress},
                                   {"principal_stress", Quantity::principal_stress}});
+}
+
+const std::vector<std::pair<std::string, StressReading>> stress_readings{{"recovered", StressReading::recovered}, {"raw", StressReading::raw}};
+
+/// How stress and strain are read there; of a displacement it would say nothing.
+StressReading read_reading(Fields& fields, std::optional<Quantity> quantity) {
+  const auto reading = fields.choice<StressReading>("reading", Need::optional, stress_readings);
+  if (quantity && !on_material(*quantity) && fields.has("reading"))
+    fields.fault("reading", "\"reading\" says how stress and strain are read, and this reads neither; expected no such key");
+  return reading.value_or(StressReading::recovered);
 }
 
 bool taken(const std::string& name, const Scene& scene) {
@@ -71,6 +82,7 @@ void read_probes(Fields& root, Reading& reading) {
     probe.name = read_name(fields, reading.scene);
     const auto body = read_body_of(fields, reading);
     const auto quantity = read_observed(fields);
+    probe.reading = read_reading(fields, quantity);
     const auto point = fields.vector("point", Need::required, dimension::length, reading.dim);
     fields.done();
     if (body) require_deformable(fields, "probe", *body, reading);
@@ -88,6 +100,7 @@ void read_sections(Fields& root, Reading& reading) {
     section.name = read_name(fields, reading.scene);
     const auto body = read_body_of(fields, reading);
     const auto quantity = read_observed(fields);
+    section.reading = read_reading(fields, quantity);
     const auto from = fields.vector("from", Need::required, dimension::length, reading.dim);
     const auto to = fields.vector("to", Need::required, dimension::length, reading.dim);
     section.count = fields.count("points", Need::optional, 2, 1'000'000).value_or(section.count);
