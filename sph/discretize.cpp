@@ -27,6 +27,7 @@ std::unique_ptr<Discretization> discretize(const Scene& scene, std::size_t body,
   Particles particles = fill_best(shape, options, planes);
   const Kernel kernel(options.kernel, shape.dim(), options.smoothing * particles.spacing);
   add_mirrored(particles, planes, kernel.radius());
+  set_kernel_volumes(particles, classic ? KernelVolume::own : options.kernel_volume);
   if (classic && scene.large_motion)
     return shape.dim() == 2 ? updated_lagrangian<2>(scene, body, options, std::move(particles), kernel)
                             : updated_lagrangian<3>(scene, body, options, std::move(particles), kernel);
@@ -36,7 +37,8 @@ std::unique_ptr<Discretization> discretize(const Scene& scene, std::size_t body,
 
 double surface_weight_loss(const Scene& scene, std::size_t body, const Options& options) {
   const Shape& shape = *scene.bodies[body].shape;
-  const Particles particles = fill(shape, options);
+  Particles particles = fill(shape, options);
+  set_kernel_volumes(particles, KernelVolume::own);
   const Kernel kernel(options.kernel, shape.dim(), options.smoothing * particles.spacing);
   const auto rows = options.boundary == Boundary::virtual_particles ? virtual_rows(particles, kernel) : lattice_rows(particles, kernel);
   const auto nearest = [&](const Point& p) {

@@ -4,10 +4,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <numeric>
 #include <stdexcept>
 
 #include "model/motion/discretization.hpp"
+#include "model/motion/vectors.hpp"
 #include "model/scene/multilinear.hpp"
 #include "model/scene/structured_shapes.hpp"
 #include "sph/partial_volumes.hpp"
@@ -30,6 +32,23 @@ void add_shares(const CellMesh& mesh, const std::array<int, 8>& cell, std::vecto
       for (int a = 0; a < mesh.dim; ++a) N *= v >> a & 1 ? xi[a] : 1 - xi[a];
       volume[std::size_t(cell[v])] += N * weight;
     }
+  }
+}
+
+/// Share of the full angle (solid angle in space) at each corner of a cell. In space, of three edges a, b, c:
+/// tan(Omega/2) = a.(b x c) / (abc + (a.b) c + (a.c) b + (b.c) a) (van Oosterom & Strackee 1983).
+void add_angles(const CellMesh& mesh, const std::array<int, 8>& cell, std::vector<double>& fraction) {
+  const auto edge = [&](int from, int to) { return mesh.vertices[std::size_t(cell[to])] - mesh.vertices[std::size_t(cell[from])]; };
+  for (int v = 0; v < 1 << mesh.dim; ++v) {
+    const Point a = edge(v, v ^ 1), b = edge(v, v ^ 2);
+    if (mesh.dim == 2) {
+      fraction[std::size_t(cell[v])] += std::abs(std::atan2(a[0] * b[1] - a[1] * b[0], dot(a, b))) / (2 * std::numbers::pi);
+      continue;
+    }
+    const Point c = edge(v, v ^ 4);
+    const double la = norm(a), lb = norm(b), lc = norm(c);
+    const double angle = 2 * std::atan2(std::abs(dot(a, cross(b, c))), la * lb * lc + dot(a, b) * lc + dot(a, c) * lb + dot(b, c) * la);
+    fraction[std::size_t(cell[v])] += angle / (4 * std::numbers::pi);
   }
 }
 
@@ -110,16 +129,18 @@ std::optional<Particles> fill_fitted(const Shape& shape, const Options& options,
   p.cells = mesh.cells;
   p.part.assign(p.size(), 1.0);
   p.volume.assign(p.size(), 0.0);
-  for (const auto& cell : mesh.cells) add_shares(mesh, cell, p.volume);
+  p.fraction.assign(p.size(), 0.0);
+  for (const auto& cell : mesh.cells) add_shares(mesh, cell, p.volume), add_angles(mesh, cell, p.fraction);
   if (structured) match_moments(shape, planes, p.position, on_the_rim(mesh, planes), p.volume);  // what the chords of a round side leave out
   double count = 0;
   for (std::size_t i = 0; i < p.size(); ++i) {
     for (const MirrorPlane& m : planes)
       if (std::abs(p.position[i][m.axis] - m.at) < 1e-6 * p.spacing) p.part[i] *= 0.5;
     p.volume[i] /= p.part[i];  // that of the body with its images
+    p.fraction[i] = std::min(p.fraction[i] / p.part[i], 1.0);
     count += p.part[i];
   }
-  if (options.mass != MassRule::trapezoid) p.volume.assign(p.size(), options.mass == MassRule::share ? shape.measure() / count : p.cell);
+  if (options.mass != MassRule::trapezoid) p.fraction.assign(p.size(), 1.0), p.volume.assign(p.size(), options.mass == MassRule::share ? shape.measure() / count : p.cell);
   return p;
 }
 

@@ -1,6 +1,7 @@
 #pragma once
 // The gradient of SPH on initial neighbours and its exact adjoint (rows.hpp), packed:
-//   H_i = sum_j (u_j - u_i) (x) w_ij, times the correction B_i if any;   f_i = V_i [ sum_j Q_j a_ij + Q_i S_i ],  S_i = sum_j w_ij.
+//   H_i = sum_j (u_j - u_i) (x) w_ij, times the correction B_i if any;   f_i = K_i [ sum_j Q_j a_ij + Q_i S_i ],  S_i = sum_j w_ij,
+// where Q_i = (V_i / K_i) P_i B_i for a stress P_i that fills the volume V_i.
 // Corrected: B_i = (sum_j w_ij (x) x_ij)^-1 makes the gradient of linear fields exact (Randles & Libersky 1996; Bonet & Lok 1999) without
 // touching w. A field is one padded row per component, `stride` apart.
 
@@ -30,11 +31,15 @@ class GradientOperator {
 
   std::size_t blocks() const { return stencils_.blocks(); }
   std::size_t bytes() const {
-    return stencils_.bytes() + (adjoint_ ? adjoint_->bytes() : 0) + (s_.size() + v_.size() + b_.size()) * sizeof(double);
+    return stencils_.bytes() + (adjoint_ ? adjoint_->bytes() : 0) + (s_.size() + v_.size() + k_.size() + part_.size() + b_.size()) * sizeof(double);
   }
   const Stencils& stencils() const { return stencils_; }
   /// With thickness, m^3.
   FEMSPH_INLINE Pack volume(std::size_t block) const { return load<Pack>(&v_[block * lanes]); }
+  /// K_i, what the divergence and the hourglass control take for a volume, with thickness, m^3; V_i / K_i.
+  FEMSPH_INLINE Pack kernel_volume(std::size_t block) const { return load<Pack>(&k_[block * lanes]); }
+  FEMSPH_INLINE Pack fraction(std::size_t block) const { return load<Pack>(&part_[block * lanes]); }
+  double fraction_of(std::size_t particle) const { return part_[particle]; }
   double correction(std::size_t particle, int r, int c) const {
     if constexpr (corrected) return b_[slot(particle, symmetric_index<dim>(r, c), n_symmetric)];
     else return r == c ? 1.0 : 0.0;
@@ -62,7 +67,7 @@ class GradientOperator {
   }
   /// Where Q, which the divergence sums, keeps its components.
   using Tensors = typename Stencils::Tensors;
-  /// Force per volume of a block, whose part of Q starts at q.
+  /// Force per K of a block, whose part of Q starts at q.
   FEMSPH_INLINE void divergence(std::size_t block, const double* q, std::size_t stride, Pack (&force)[dim]) const {
     (adjoint_ ? *adjoint_ : stencils_).divergence(block, q, stride, force);
     Pack own[dim * dim];
@@ -76,11 +81,15 @@ class GradientOperator {
     const std::size_t n = particles.size(), padded = round_up(n, lanes);
     s_.assign(padded * dim, 0.0);
     v_.assign(padded, 0.0);
+    k_.assign(padded, 0.0);
+    part_.assign(padded, 0.0);
     if constexpr (corrected) b_.assign(padded * n_symmetric, 0.0);
     Row row;
     for (std::size_t i = 0; i < n; ++i) {
       rows.row(i, row);
       v_[i] = particles.own_volume(i) * thickness;
+      k_[i] = particles.kernel_volume[i] * particles.part[i] * thickness;
+      part_[i] = particles.volume[i] / particles.kernel_volume[i];
       for (const Neighbour& j : row)
         for (int a = 0; a < dim; ++a) s_[slot(i, a, dim)] += j.w[a];
       if constexpr (corrected) {
@@ -95,7 +104,7 @@ class GradientOperator {
 
   Stencils stencils_;
   std::unique_ptr<Stencils> adjoint_;   ///< its own rows where they differ: virtual particles
-  AlignedVector<double> s_, v_, b_;     ///< S, V, B: [block][component][lane]
+  AlignedVector<double> s_, v_, k_, part_, b_;  ///< S, V, K, V / K, B: [block][component][lane]
 };
 
 }  // namespace femsph::sph

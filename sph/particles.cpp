@@ -91,7 +91,7 @@ void number_by_slabs(Particles& p) {
     auto old = values;
     for (std::size_t i = 0; i < order.size(); ++i) values[i] = old[order[i]];
   };
-  reorder(p.position), reorder(p.volume), reorder(p.part), reorder(lattice.place);
+  reorder(p.position), reorder(p.volume), reorder(p.fraction), reorder(p.part), reorder(lattice.place);
   for (std::size_t i = 0; i < order.size(); ++i) {
     const auto& at = lattice.place[i];
     lattice.at[std::size_t(at[0]) + std::size_t(lattice.count[0]) * (std::size_t(at[1]) + std::size_t(lattice.count[1]) * std::size_t(at[2]))] = int(i);
@@ -156,6 +156,8 @@ Particles fill(const Shape& shape, const Options& options, const std::vector<Mir
     for (std::size_t i = 0; i < p.size(); ++i) p.volume[i] = p.cell * (volumes.share[slot_of(lattice, lattice.place[i])] / p.part[i]);
     hand_over(p, volumes, planes);
   }
+  p.fraction.assign(p.size(), 1.0);
+  for (std::size_t i = 0; partial && i < p.size(); ++i) p.fraction[i] = p.volume[i] / p.cell;
   if (options.jitter > 0) {
     p.regular = false;
     std::mt19937_64 random(20090924);
@@ -176,6 +178,12 @@ std::vector<MirrorPlane> mirror_planes(const Scene& scene, std::size_t body) {
   for (const Symmetry& s : scene.symmetries)
     if (s.place.body == body) planes.push_back({s.axis(), (s.upper() ? shape.upper() : shape.lower())[s.axis()], s.upper()});
   return planes;
+}
+
+void set_kernel_volumes(Particles& p, KernelVolume kind) {
+  p.kernel_volume = p.volume;
+  if (kind == KernelVolume::own) return;
+  for (std::size_t i = 0; i < p.position.size(); ++i) p.kernel_volume[i] = p.volume[i] == p.cell * p.fraction[i] ? p.cell : p.volume[i] / p.fraction[i];
 }
 
 void add_mirrored(Particles& p, const std::vector<MirrorPlane>& planes, double radius) {
@@ -199,6 +207,7 @@ void add_mirrored(Particles& p, const std::vector<MirrorPlane>& planes, double r
       p.mirrored.push_back(image);
       p.position.push_back(x);
       p.volume.push_back(p.volume[i]);
+      p.fraction.push_back(p.fraction[i]);
       p.part.push_back(0.0);
       if (lattice.place.empty()) continue;  // fitted
       std::array<int, 3> place = lattice.place[i];

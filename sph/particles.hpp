@@ -44,6 +44,8 @@ struct Particles {
   double cell = 0;                  ///< d^dim, m^dim
   std::vector<Point> position;      ///< m; the body's own particles, then the mirrored ones
   std::vector<double> volume;       ///< V_i by the mass rule, m^dim (an area in 2D, without the thickness)
+  std::vector<double> fraction;     ///< f_i, share of the full angle that the body (with its images) fills there: 1 inside, 1/2 on a face, 1/4 on an edge
+  std::vector<double> kernel_volume;  ///< of a neighbour in kernel sums, m^dim: V_i, or V_i / f_i (set_kernel_volumes)
   std::vector<double> part;         ///< of V_i that belongs to the body: 1/2 on a symmetry plane, 1/4 on two, else 1
   std::vector<Mirrored> mirrored;   ///< the last of `position`
   Lattice lattice;
@@ -71,6 +73,10 @@ Particles fill_best(const Shape& shape, const Options& options, const std::vecto
 /// A body's own cells cut into pieces of about `spacing`, conformingly: opposite edges of a cell have one number of pieces, and so on from cell to
 /// cell. Empty if some piece's edge would then be outside of what one smoothing length suits; then `why`.
 std::optional<CellMesh> cut_to_spacing(const CellMesh& mesh, double spacing, std::string& why);
+
+/// Whole cells V_i / f_i make the derivative of the layer below a surface central: with trapezoid volumes the kernel sums then satisfy summation by
+/// parts, and a uniform stress needs its traction on the surface alone.
+void set_kernel_volumes(Particles& particles, KernelVolume kind);
 
 /// Adds the mirror images of the particles within `radius` of each plane, corners of two planes included.
 /// Throws std::runtime_error if two opposite planes are nearer than that.

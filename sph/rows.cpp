@@ -42,16 +42,16 @@ class LatticeRows : public RowSource {
     for (const Offset& o : offsets_) {
       const int j = p_.lattice.particle(at[0] + o.by[0], at[1] + o.by[1], at[2] + o.by[2]);
       if (j < 0) continue;
-      const double v = p_.volume[std::size_t(j)];
+      const double v = p_.kernel_volume[std::size_t(j)];
       out.push_back({j, {v * o.gradient[0], v * o.gradient[1], v * o.gradient[2]}, v * o.steepness});
     }
   }
   double kernel_sum(std::size_t i) const override {
-    double sum = p_.volume[i] * self_;
+    double sum = p_.kernel_volume[i] * self_;
     const auto& at = p_.lattice.place[i];
     for (const Offset& o : offsets_) {
       const int j = p_.lattice.particle(at[0] + o.by[0], at[1] + o.by[1], at[2] + o.by[2]);
-      if (j >= 0) sum += p_.volume[std::size_t(j)] * o.value;
+      if (j >= 0) sum += p_.kernel_volume[std::size_t(j)] * o.value;
     }
     return sum;
   }
@@ -114,14 +114,14 @@ class SearchRows final : public RowSource {
   void row(std::size_t i, Row& out) const override {
     out.clear();
     around(i, [&](int j, const Point& x, double r) {
-      const double s = p_.volume[std::size_t(j)] * kernel_.steepness(r);
+      const double s = p_.kernel_volume[std::size_t(j)] * kernel_.steepness(r);
       out.push_back({j, {s * x[0], s * x[1], s * x[2]}, s});
     });
     std::sort(out.begin(), out.end(), [](const Neighbour& a, const Neighbour& b) { return a.index < b.index; });
   }
   double kernel_sum(std::size_t i) const override {
-    double sum = p_.volume[i] * kernel_.value(0);
-    around(i, [&](int j, const Point&, double r) { sum += p_.volume[std::size_t(j)] * kernel_.value(r); });
+    double sum = p_.kernel_volume[i] * kernel_.value(0);
+    around(i, [&](int j, const Point&, double r) { sum += p_.kernel_volume[std::size_t(j)] * kernel_.value(r); });
     return sum;
   }
 

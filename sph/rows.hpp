@@ -1,9 +1,10 @@
 #pragma once
 // The gradient operator of each particle as a row of neighbours, before it is packed for speed:
-//   H_i = sum_j (u_j - u_i) (x) w_ij,      w_ij = V_j grad_i W_ij
-// and its exact adjoint, the force per volume
-//   f_i / V_i = sum_j Q_j a_ij + Q_i S_i,  a_ij = -V_j w_ji / V_i (= w_ij unless virtual particles are in),  S_i = sum_j w_ij,
-// so that sum_i V_i Q_i : H_i(u) = -sum_i f_i . u_i for any Q and u, and linear momentum is kept to round-off.
+//   H_i = sum_j (u_j - u_i) (x) w_ij,      w_ij = K_j grad_i W_ij
+// with K the volume in kernel sums (whole cells, or V), and its exact adjoint, the force per volume
+//   f_i / K_i = sum_j Q_j a_ij + Q_i S_i,  a_ij = -K_j w_ji / K_i (= w_ij unless virtual particles are in),  S_i = sum_j w_ij,
+// so that sum_i K_i Q_i : H_i(u) = -sum_i f_i . u_i for any Q and u, and linear momentum is kept to round-off. Of a stress that fills the volume
+// V_i, Q_i = (V_i / K_i) P_i.
 
 #include <functional>
 #include <vector>
@@ -15,8 +16,8 @@ namespace femsph::sph {
 
 struct Neighbour {
   int index;
-  double w[3];   ///< V_j grad_i W_ij, 1/m
-  double scale;  ///< V_j steepness(r_ij): w = scale (x_j - x_i), 1/m^2
+  double w[3];   ///< K_j grad_i W_ij, 1/m
+  double scale;  ///< K_j steepness(r_ij): w = scale (x_j - x_i), 1/m^2
 };
 using Row = std::vector<Neighbour>;
 
@@ -25,7 +26,7 @@ class RowSource {
  public:
   virtual ~RowSource() = default;
   virtual void row(std::size_t i, Row& out) const = 0;
-  /// Sum over i itself and its neighbours of V_j W_ij: 1 inside, less near a free surface.
+  /// Sum over i itself and its neighbours of K_j W_ij: 1 inside, less near a free surface.
   virtual double kernel_sum(std::size_t i) const = 0;
 };
 

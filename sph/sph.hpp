@@ -12,6 +12,9 @@ enum class Formulation { classic, corrected };
 enum class KernelKind { cubic_spline, wendland_c2 };
 /// Mass (and volume) of a particle: `share` true mass / N; `full` rho d^dim; `trapezoid` the part of its cell that lies in the body.
 enum class MassRule { share, full, trapezoid };
+/// Volume that a neighbour has in the kernel sums of the corrected form: that of its whole cell, however much of it lies in the body, or its own
+/// (half a cell on a side). Mass, energy and loads always take its own.
+enum class KernelVolume { whole, own };
 /// What makes up for the missing neighbours beyond a free surface (classic only; corrected needs none).
 enum class Boundary { none, virtual_particles, weight };
 
@@ -28,6 +31,7 @@ struct Options {
   KernelKind kernel = KernelKind::cubic_spline;
   MassRule mass = MassRule::trapezoid;
   Boundary boundary = Boundary::none;
+  KernelVolume kernel_volume = KernelVolume::whole;  ///< corrected only; classic takes its own
   Viscosity viscosity;
   double hourglass = 0.1;     ///< coefficient of the hourglass control of the corrected formulation
   double jitter = 0;          ///< particles moved at random by up to this share of d (tests; neighbour-list path)

@@ -1,7 +1,7 @@
 #pragma once
 // SPH on the initial neighbours: classic (small strain), with row scaling or virtual particles, and corrected.
 // One step is two passes over the particles:
-//   1  displacement gradient H; law; Q = P B
+//   1  displacement gradient H; law; Q = (V / K) P B
 //   2  force, the exact adjoint of pass 1
 // by the operator of gradient_operator.hpp. What it tells of energies and states: total_lagrangian_output.hpp.
 
@@ -95,7 +95,12 @@ class TotalLagrangian final : public ParticleBody {
         const auto frame = Motion::template strain<Pack, dim>(H, strain);
         const Symmetric<Pack, dim> stress = stress_of(block, strain);
         Motion::template piola<Pack, dim>(frame, strain, stress, P);
-        if constexpr (corrected) P = operator_.times_correction(block, P);
+        if constexpr (corrected) {
+          P = operator_.times_correction(block, P);
+          const Pack part = operator_.fraction(block);
+          for (int r = 0; r < dim; ++r)
+            for (int c = 0; c < dim; ++c) P[r][c] *= part;
+        }
         if constexpr (hourglass)
           for (int r = 0; r < dim; ++r) {
             store(&l_[(block * dim + r) * lanes], L[r]);
@@ -132,12 +137,12 @@ class TotalLagrangian final : public ParticleBody {
       take(piece, bar_strain<Motion, dim>(g, axis, pull.at), pull);
     }
   }
-  /// Q += (A l / V) sigma pull (x) B e_a.
+  /// Q += (V / K) (A l / V) sigma pull (x) B e_a.
   template <class Motion, class Pieces, class StressOf>
   void add_bars(const double* u, Pieces& pieces, StressOf&& stress_of) const {
     each_bar<Motion>(u, pieces, [&](auto& piece, double strain, const Pull& pull) {
       const BarRow& row = bars_.rows[piece.row];
-      const double p = piece.per_cell * stress_of(row.law, strain, piece.state);
+      const double p = operator_.fraction_of(piece.particle) * piece.per_cell * stress_of(row.law, strain, piece.state);
       for (int c = 0; c < dim; ++c) {
         const double b = operator_.correction(piece.particle, row.axis, c);
         for (int r = 0; r < dim; ++r) q_[q_slot(piece.particle, r, c)] += p * pull.at[r] * b;
@@ -161,7 +166,7 @@ class TotalLagrangian final : public ParticleBody {
         operator_.divergence(block, q, stride(), force);
         for (int r = 0; r < dim; ++r) {
           if constexpr (hourglass) force[r] += 2 * kappa_ * load<Pack>(&l_[(block * dim + r) * lanes]);
-          store(f + first(block) + r * stride(), operator_.volume(block) * force[r]);
+          store(f + first(block) + r * stride(), operator_.kernel_volume(block) * force[r]);
         }
       }
     });

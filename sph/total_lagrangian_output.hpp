@@ -7,7 +7,7 @@
 
 namespace femsph::sph {
 
-/// Hourglass control holds sum_i V_i kappa/2 sum_j scale_ij |H_i x_ij - u_ij|^2, with scale_ij x_ij = w_ij.
+/// Hourglass control holds sum_i K_i kappa/2 sum_j scale_ij |H_i x_ij - u_ij|^2, with scale_ij x_ij = w_ij.
 template <int dim, class Stencils, class Kinematics, class LawType, Correction correction>
 Energies TotalLagrangian<dim, Stencils, Kinematics, LawType, correction>::energies(const double* given) const {
   const double* u = with_mirrored(given);
@@ -26,7 +26,7 @@ Energies TotalLagrangian<dim, Stencils, Kinematics, LawType, correction>::energi
       const Pack volume = operator_.volume(block);
       stored += volume * law_.stored_energy(strain, stress_now(block, strain), history(block));
       if constexpr (n_state > 0) lost += volume * law_.plastic_work(history(block));
-      if constexpr (hourglass) controlled += 0.5 * kappa_ * volume * misfit(block, u, H);
+      if constexpr (hourglass) controlled += 0.5 * kappa_ * operator_.kernel_volume(block) * misfit(block, u, H);
     }
     return std::array{horizontal_sum(stored), horizontal_sum(controlled), horizontal_sum(lost)};
   });
