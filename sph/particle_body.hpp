@@ -61,6 +61,7 @@ class ParticleBody : public Discretization {
 
  private:
   const double* fill_mirrored(const double* u) const;
+  double filled_share(std::size_t i) const;
   double share_within(const Region& region, std::size_t i) const;
   std::vector<Weight> layer_at(const Place& place) const;
   std::size_t owner_of(const Point& x) const;

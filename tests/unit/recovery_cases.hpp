@@ -170,4 +170,115 @@ struct Bending {
   }
 };
 
+inline Scene cantilever_scene() { return recovery_scene(std::make_shared<Box>(2, Point{0, -0.5, 0}, Point{4, 1, 0}), Plane::stress); }
+
+/// Errors in percent of the section in the middle of the cantilever, L2, by the rule and raw.
+struct SectionErrors {
+  double xx, xy, raw_xx, raw_xy;
+};
+inline SectionErrors section_of(const Discretization& d) {
+  const auto given = [&](const Point& x) {
+    std::array<std::optional<double>, 3> u{};
+    if (x[0] > 1e-12) return u;
+    const Point exact = Bending::displacement(x);
+    return decltype(u){exact[0], exact[1], {}};
+  };
+  const Flat f = traction(d, [](const Point& x) { return x[0] > 4 - 1e-9; }, [](const Point& x) { return Point{0, Bending::xy(x), 0}; });
+  const Flat u = static_solution(d, given, f);
+  const Recovery rule(d.material_units());
+  double e[4]{}, size[2]{};
+  for (int i = 0; i <= 40; ++i) {
+    const Point p{2, -0.5 + i / 40.0, 0};
+    const auto s = read_at(d, rule, u, p, Plane::stress).stress, r = raw_at(d, u, p);
+    e[0] += std::pow(s[0] - Bending::xx(p), 2), e[1] += std::pow(s[3] - Bending::xy(p), 2);
+    e[2] += std::pow(r[0] - Bending::xx(p), 2), e[3] += std::pow(r[3] - Bending::xy(p), 2);
+    size[0] += std::pow(Bending::xx(p), 2), size[1] += std::pow(Bending::xy(p), 2);
+  }
+  const auto percent = [&](int k) { return 100 * std::sqrt(e[k] / size[k % 2]); };
+  return {percent(0), percent(1), percent(2), percent(3)};
+}
+
+/// Lame's ring, a quarter of n x m cells, or in space a slice of it (n x m x 2) held between planes.
+inline std::shared_ptr<const Shape> quarter_ring(int dim, int n, double distortion = 0) {
+  return mapped(dim, {n, int(std::lround(n * 0.75 * M_PI)), 2}, [&](Point p) {
+    const double r = 1 + p[0], t = 0.5 * M_PI * p[1];
+    return Point{p[1] == 1 ? 0 : r * std::cos(t), r * std::sin(t), p[2] * 2 / n};
+  }, distortion);
+}
+struct WallErrors {
+  double wall, mid_arc, l2;  ///< radial stress at r = 1 on a straight side and at 45 degrees; L2 along that radius; percent
+};
+inline WallErrors wall_of(const Discretization& d) {
+  const int dim = d.layout().dim;
+  const auto given = [&](const Point& x) {
+    std::array<std::optional<double>, 3> u{};
+    if (x[0] < 1e-12) u[0] = 0;
+    if (x[1] < 1e-12) u[1] = 0;
+    if (dim == 3) u[2] = 0;  // plane strain
+    return u;
+  };
+  Flat f(d.layout().size, 0.0);
+  if (dim == 2) f = traction(d, [](const Point& x) { return norm(x) < 1 + 1e-9; }, [](const Point& x) { return (1 / norm(x)) * x; });
+  else
+    for (const Facet& facet : d.boundary()) {
+      Point x[4];
+      bool on = true;
+      for (std::size_t k = 0; k < 4; ++k) x[k] = d.position(facet.points[k]), on = on && std::hypot(x[k][0], x[k][1]) < 1 + 1e-9;
+      const Point area = 0.5 * cross(x[2] - x[0], x[3] - x[1]);
+      for (std::size_t k = 0; on && k < 4; ++k)
+        for (int c = 0; c < 3; ++c) f[d.layout().at(facet.points[k], c)] -= 0.25 * area[std::size_t(c)];
+    }
+  const Flat u = static_solution(d, given, f);
+  const Recovery rule(d.material_units());
+  const auto radial = [&](double r, double angle) {
+    const double c = std::cos(angle), s = std::sin(angle);
+    const auto stress = read_at(d, rule, u, {r * c, r * s, 0}, dim == 2 ? Plane::strain : Plane::none).stress;
+    return c * c * stress[0] + s * s * stress[1] + 2 * c * s * stress[3];
+  };
+  double l2 = 0, size = 0;
+  for (int i = 0; i <= 20; ++i) {
+    const double r = 1 + i / 20.0;
+    l2 += std::pow(radial(r, 0.25 * M_PI) - Lame::radial(r), 2), size += std::pow(Lame::radial(r), 2);
+  }
+  return {-100 * (radial(1, 0) + 1), -100 * (radial(1, 0.25 * M_PI) + 1), 100 * std::sqrt(l2 / size)};
+}
+
+/// A beam of height 1 bent without shear, fibres in the state of the law at their strain: k x y along x, plane stress; ideally plastic, the core elastic up to
+/// 0.3 of the height from the axis. What is read over the height against the law at the exact strain.
+struct PlasticErrors {
+  double most, raw_most, l2, raw_l2;  ///< largest von Mises stress over the yield stress at the plastic strain that is read there (raw: at none); error of xx in percent
+};
+inline Scene plastic_scene(double hardening = 0) {
+  Plasticity p;
+  p.yield = 1e-3 * E;
+  p.hardening = hardening;
+  return recovery_scene(std::make_shared<Box>(2, Point{0, -0.5, 0}, Point{3, 1, 0}), Plane::stress, p);
+}
+inline PlasticErrors plastic_section_of(Discretization& d, double hardening = 0) {
+  const double Y = 1e-3 * E, curvature = Y / E / 0.3;
+  const int steps = 10;
+  Flat u(d.layout().size, 0.0), f(d.layout().size, 0.0), v(d.layout().size, 0.0);
+  for (int n = 1; n <= steps; ++n) {
+    const double k = curvature * n / steps;
+    u = flat_field(d, [&](const Point& x) { return Point{k * (x[0] - 1.5) * x[1], -0.5 * k * (x[0] - 1.5) * (x[0] - 1.5) - 0.5 * nu * k * x[1] * x[1], 0}; });
+    d.internal_force(u.data(), v.data(), 0, f.data(), nullptr);
+  }
+  const Recovery rule(d.material_units());
+  PlasticErrors out{};
+  double e = 0, r = 0, size = 0;
+  for (int i = 0; i <= 40; ++i) {
+    const Point p{1.5, -0.5 + i / 40.0, 0};
+    const Recovered here = read_at(d, rule, u, p, Plane::stress);
+    const auto s = here.stress, raw = raw_at(d, u, p);
+    Plastic law{LinearElastic::make(E, nu, 7850.0, Plane::stress), Plasticity{Y, hardening, TensionRule::none, 0, Integration::return_mapping, {}}, 0};
+    Symmetric<double, 2> stress{}, by{curvature * p[1] / steps, -nu * curvature * p[1] / steps, 0};
+    double history[4]{};
+    for (int n = 0; n < steps; ++n) law.update<double, 2>(by, stress, history);
+    e += std::pow(s[0] - stress[0], 2), r += std::pow(raw[0] - stress[0], 2), size += stress[0] * stress[0];
+    out.most = std::max(out.most, von_mises(s) / (Y + hardening * here.plastic)), out.raw_most = std::max(out.raw_most, von_mises(raw) / Y);
+  }
+  out.l2 = 100 * std::sqrt(e / size), out.raw_l2 = 100 * std::sqrt(r / size);
+  return out;
+}
+
 }  // namespace femsph::test
