@@ -31,8 +31,8 @@ std::array<double, 6> factorised(const std::array<double, 6>& s, int dim) {
   return L;
 }
 
-/// A symmetric positive semidefinite matrix by pivoted elimination, A b = e_0; the constant first, and a function whose pivot is below `least_pivot`, which the
-/// points do not determine, is left out.
+/// A b = e_0, A symmetric and positive semidefinite, by pivoted elimination; the constant first, and a function whose pivot is below `least_pivot`, which
+/// the points do not determine, is left out.
 template <std::size_t n>
 std::array<double, n> first_column_of_inverse(std::array<std::array<double, n>, n> a, std::size_t size) {
   std::array<std::size_t, n> order{};
@@ -58,6 +58,14 @@ std::array<double, n> first_column_of_inverse(std::array<std::array<double, n>, 
     b[order[r]] = sum / a[order[r]][order[r]];
   }
   return b;
+}
+
+/// Their sum is 1 but for round-off, a thousand times larger where the surface's particles hardly count; constants come out to the last digits.
+std::vector<Weight> of_sum_one(std::vector<Weight> weights) {
+  double sum = 0;
+  for (const Weight& w : weights) sum += w.weight;
+  for (Weight& w : weights) w.weight /= sum;
+  return weights;
 }
 
 /// What directions points are spread in: how many eigenvalues of a covariance exceed `spread`.
@@ -243,7 +251,7 @@ std::vector<Weight> Recovery::unit_weights(const Point& p) const {
     for (std::size_t i = 0; i < std::size_t(coefficients_); ++i) value += patch.mean[u][i] * patch.b[i];
     out.push_back({patch.units[u], patch.weight[u] * value});
   }
-  return out;
+  return of_sum_one(std::move(out));
 }
 
 std::vector<Weight> Recovery::weights(const Point& p) const {
@@ -263,7 +271,7 @@ std::vector<Weight> Recovery::weights(const Point& p) const {
       out.push_back({q, patch.weight[u] * share(q) * (mean + deviation * (own - mean))});
     }
   }
-  return out;
+  return of_sum_one(std::move(out));
 }
 
 namespace {
