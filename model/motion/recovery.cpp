@@ -186,7 +186,7 @@ void Recovery::look(Patch& patch, const Point& p, double radius, bool deviations
     for (std::size_t i = 0; i < n; ++i)
       for (std::size_t j = i; j < n; ++j) patch.matrix[i][j] += weight * q[i] * q[j];
   };
-  std::vector<Basis> own(k);
+  std::array<Basis, 8> own;
   for (std::size_t u = 0; u < patch.units.size(); ++u) {
     patch.weight[u] /= sum;
     Basis mean{};
@@ -208,7 +208,7 @@ void Recovery::look(Patch& patch, const Point& p, double radius, bool deviations
 
 /// Step 2. A body that is one cell thick, or two, has no spread in that direction at any R: more of it along the others would only blur. So R also ends
 /// where three growths have opened no further direction; how many units are enough goes by the directions that are there.
-Recovery::Patch Recovery::around(const Point& p) const {
+Recovery::Patch Recovery::around(const Point& p, bool deviations) const {
   Patch patch, best;
   const std::size_t unit = nearest(p);
   const auto& shape = units_.shape[units_.shape.size() > 1 ? unit : 0];
@@ -217,7 +217,7 @@ Recovery::Patch Recovery::around(const Point& p) const {
   int directions = 0, idle = 0;
   double radius = first_radius;
   for (int turn = 0; turn < most_growths; ++turn, radius *= growing) {
-    look(patch, p, radius, true);
+    look(patch, p, radius, deviations);
     if (patch.units.empty()) continue;
     const auto& A = patch.matrix;
     const auto covariance = [&](std::size_t i, std::size_t j) { return A[i + 1][j + 1] - A[0][i + 1] * A[0][j + 1]; };
@@ -234,8 +234,7 @@ Recovery::Patch Recovery::around(const Point& p) const {
 }
 
 Recovery::Patch Recovery::fit(const Point& p, bool deviations) const {
-  Patch patch = around(p);
-  if (!deviations && units_.points_per_unit > 1) look(patch, p, patch.radius, false);
+  Patch patch = around(p, deviations);
   const std::size_t n = std::size_t(coefficients_), dim = std::size_t(units_.dim);
   // |second degree|^2 = sum_ab c_ab^2 of P = .. + z . c z: the same in any axes.
   for (std::size_t i = dim + 1; i < n; ++i) patch.matrix[i][i] += i <= 2 * dim ? ridge : 0.5 * ridge;

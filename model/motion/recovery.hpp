@@ -43,7 +43,7 @@ class Recovery {
 
   std::size_t nearest(const Point& p) const;
   std::vector<std::size_t> within(const Point& p, const Point& half) const;
-  Patch around(const Point& p) const;
+  Patch around(const Point& p, bool deviations) const;
   void look(Patch& patch, const Point& p, double radius, bool deviations) const;
   Patch fit(const Point& p, bool deviations) const;
 
