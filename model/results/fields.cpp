@@ -298,7 +298,7 @@ std::size_t FieldWriter::add_body(const std::string& name, const Discretization&
   image.dataset(group + "/cells", connectivity(topology, shape), {shape.cells, shape.cell_points()});
   image.attribute(group, "name", name);
   impl_->bodies.push_back(shape);
-  impl_->bodies.back().both = recovered && shape.cells > 0;
+  impl_->bodies.back().both = recovered && !body.material_units().place.empty();
   impl_->recovered.push_back(recovered);
   impl_->discretizations.push_back(&body);
   return number;
