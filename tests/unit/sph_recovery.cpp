@@ -57,6 +57,27 @@ TEST(SphRecovery, PlacesOfStrains) {
   }
 }
 
+/// Classic SPH: no place but the particle's own, and the same surface whatever rule gives the masses. On a symmetry plane the body goes on.
+TEST(SphRecovery, SurfaceOfClassicParticles) {
+  for (const sph::MassRule mass : {sph::MassRule::share, sph::MassRule::full, sph::MassRule::trapezoid})
+    for (const bool symmetric : {false, true}) {
+      Scene scene = recovery_scene(std::make_shared<Box>(2, Point{}, Point{1, 0.6, 0}), Plane::stress);
+      if (symmetric) scene.symmetries.push_back({Place{0, {"x-"}, {}, {}}});
+      sph::Options options;
+      options.formulation = sph::Formulation::classic;
+      options.mass = mass;
+      options.spacing = 0.1;
+      const auto d = sph::discretize(scene, 0, options);
+      const MaterialUnits units = d->material_units();
+      for (std::size_t i = 0; i < d->material_points(); ++i) {
+        const Point x = d->position(i);
+        EXPECT_EQ(units.place[i], x);
+        const int sides = (x[0] < 0.05 && !symmetric) + (x[0] > 0.95) + (x[1] < 0.05 || x[1] > 0.55);
+        EXPECT_NEAR(units.quality[i], std::pow(0.5, 10 * sides), 1e-9);
+      }
+    }
+}
+
 /// A quadratic displacement: at the surface the particle's strain is off by half a spacing's worth, and the reading is not.
 TEST(SphRecovery, QuadraticDisplacement) {
   const auto d = particles_of(recovery_scene(std::make_shared<Box>(2, Point{}, Point{1, 0.6, 0}), Plane::stress), 0.05);
