@@ -114,6 +114,48 @@ TEST(SphRecovery, WallOfAThickRing) {
   EXPECT_GT(std::log2(wall(8).l2 / wall(16).l2), 1.7);
 }
 
+/// u = sin(k . x) at the particles, as a wave has it, in order and jittered: on the surface and inside.
+TEST(SphRecovery, SmoothWave) {
+  for (const double jitter : {0.0, 0.2})
+    for (const bool inside : {false, true}) {
+      const auto error = [&](int ny) {
+        const auto d = particles_of(recovery_scene(std::make_shared<Box>(2, Point{}, Point{4, 1, 0}), Plane::stress), 1.0 / ny, jitter);
+        const auto phase = [](const Point& x) { return 2 * x[0] + x[1] + 0.3; };
+        const Flat u = flat_field(*d, [&](const Point& x) { return Point{std::sin(phase(x)), 0.5 * std::sin(phase(x)), 0}; });
+        const Recovery rule(d->material_units());
+        double e = 0, raw = 0, size = 0;
+        for (int i = 0; i <= 40; ++i) {
+          const Point p{i / 10.0, inside ? 0.47 : 0.0, 0};
+          const double exact = E / (1 - nu * nu) * (2 + nu * 0.5) * std::cos(phase(p));
+          e += std::pow(read_at(*d, rule, u, p, Plane::stress).stress[0] - exact, 2), raw += std::pow(raw_at(*d, u, p)[0] - exact, 2), size += exact * exact;
+        }
+        EXPECT_LT(e, 0.6 * raw);
+        return 100 * std::sqrt(e / size);
+      };
+      const double coarse = error(8), fine = error(16);
+      EXPECT_LT(coarse, jitter > 0 ? 3 : 1.5);
+      EXPECT_LT(fine, jitter > 0 ? 1.2 : 0.4);
+    }
+}
+
+/// Stress at the end of a clamped side grows with every halving as Williams has it (1.18 times), from below; and at the loaded end it is what is applied.
+TEST(SphRecovery, ClampedCornerAndLoadedEnd) {
+  const auto read = [](int ny, const Point& p) {
+    const auto d = particles_of(recovery_scene(std::make_shared<Box>(2, Point{0, -0.5, 0}, Point{2, 1, 0}), Plane::stress), 1.0 / ny, 0, 0.05);
+    const auto given = [&](const Point& x) {
+      std::array<std::optional<double>, 3> u{};
+      if (x[0] < 1e-12) u[0] = u[1] = 0;
+      return u;
+    };
+    const Flat u = static_solution(*d, given, traction(*d, [](const Point& x) { return x[0] > 2 - 1e-9; }, [](const Point&) { return Point{1, 0, 0}; }));
+    return read_at(*d, Recovery(d->material_units()), u, p, Plane::stress).stress[0];
+  };
+  const double growth = read(32, {0, 0.5, 0}) / read(16, {0, 0.5, 0});
+  EXPECT_GT(growth, 1.1);
+  EXPECT_LT(growth, std::pow(2, 1 - 0.76));
+  EXPECT_NEAR(read(8, {2, 0.1, 0}), 1, 0.005);
+}
+
 /// Ideally plastic, and hardening: nothing that is read lies above the yield curve, not by round-off.
 TEST(SphRecovery, PlasticBendingStaysOnTheYieldCurve) {
   for (const int ny : {2, 4, 8, 16}) {
