@@ -1,11 +1,14 @@
 #pragma once
 // Bodies, exact fields and a quick static solver for what is read of stress: the same for both methods.
 
+#include <gtest/gtest.h>
+
 #include <cmath>
 #include <functional>
 #include <optional>
 #include <random>
 
+#include "model/motion/principal.hpp"
 #include "model/motion/recovery.hpp"
 #include "model/motion/vectors.hpp"
 #include "model/numerics/array.hpp"
@@ -279,6 +282,51 @@ inline PlasticErrors plastic_section_of(Discretization& d, double hardening = 0)
   }
   out.l2 = 100 * std::sqrt(e / size), out.raw_l2 = 100 * std::sqrt(r / size);
   return out;
+}
+
+/// Laws whose bounds differ.
+inline std::vector<std::pair<const char*, Plasticity>> plastic_laws() {
+  Plasticity metal, sign, principal, none, hot;
+  metal.yield = 1e-3 * E, metal.hardening = 0.05 * E;
+  sign.yield = principal.yield = 1e-3 * E;
+  sign.tension = TensionRule::sign, principal.tension = TensionRule::principal;
+  sign.tensile_strength = principal.tensile_strength = 2e-4 * E;
+  none = metal, none.integration = Integration::tangent;
+  hot.yield = 1e-3 * E;
+  hot.johnson_cook = JohnsonCook{2e-3 * E, 0.5, 0.05, 1.0, 1, 0, 0, 0, 0};
+  return {{"metal", metal}, {"sign", sign}, {"principal", principal}, {"none", none}, {"Johnson-Cook", hot}};
+}
+
+/// Drives a body far beyond yield, in a way that no two points share, and compares the stress of its points with what they say they can bear: none lies above, and
+/// where the law has a bound, some lie on it.
+inline void expect_bounds(Discretization& d, const Plasticity& law, double size) {
+  Flat u(d.layout().size, 0.0), v(d.layout().size, 0.0), f(d.layout().size, 0.0);
+  for (int n = 1; n <= 20; ++n) {
+    const double s = size * n / 20;
+    u = flat_field(d, [&](const Point& x) { return Point{s * (x[0] * x[1] - 0.5 * x[0] * x[0]), s * (0.3 * x[1] * x[1] - x[0]), s * x[2] * (x[0] - x[1])}; });
+    d.internal_force(u.data(), v.data(), 1e-3, f.data(), nullptr);
+  }
+  std::vector<std::size_t> all(d.material_points());
+  for (std::size_t i = 0; i < all.size(); ++i) all[i] = i;
+  MaterialState state;
+  d.material_state(u.data(), all, state);
+  ASSERT_EQ(state.flow_stress.size(), all.size());
+  EXPECT_EQ(state.tensile_flow_stress.empty(), law.tension != TensionRule::sign);
+  EXPECT_EQ(state.tensile_strength.empty(), law.tension != TensionRule::principal);
+  double nearest = 0;
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    const auto& s = state.stress[i];
+    const bool tension = s[0] + s[1] + s[2] > 0 && !state.tensile_flow_stress.empty();
+    const double share = von_mises(s) / (tension ? state.tensile_flow_stress[i] : state.flow_stress[i]);
+    EXPECT_LT(share, 1 + 1e-11);
+    nearest = std::max(nearest, share);
+    if (state.tensile_strength.empty()) continue;
+    const double cut = principal_values(s)[0] / state.tensile_strength[i];
+    EXPECT_LT(cut, 1 + 1e-11);
+    nearest = std::max(nearest, cut);
+  }
+  if (law.integration == Integration::return_mapping) EXPECT_NEAR(nearest, 1, 1e-11);
+  else EXPECT_EQ(nearest, 0);
 }
 
 }  // namespace femsph::test

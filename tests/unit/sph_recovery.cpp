@@ -170,5 +170,18 @@ TEST(SphRecovery, PlasticBendingStaysOnTheYieldCurve) {
   }
 }
 
+/// Also in large motion, where laws speak of Kirchhoff's stress and the state of Cauchy's.
+TEST(SphRecovery, PointsKeepToTheirBounds) {
+  for (const int dim : {2, 3})
+    for (const bool large : {false, true})
+      for (const auto& [name, law] : plastic_laws()) {
+        SCOPED_TRACE(std::string(name) + (large ? " large" : " small"));
+        Scene scene = recovery_scene(std::make_shared<Box>(dim, Point{}, Point{1, 1, dim == 3 ? 1.0 : 0.0}), dim == 2 ? Plane::strain : Plane::none, law);
+        scene.large_motion = large;
+        const auto d = particles_of(scene, 0.25);
+        expect_bounds(*d, law, large ? 0.2 : 0.02);
+      }
+}
+
 }  // namespace
 }  // namespace femsph::test
