@@ -65,7 +65,7 @@ RunOutput::RunOutput(const Method& method, const RunOptions& options, March& mar
   if (!from) remove_earlier_run(folder_, scene.file);
   if (options.fields) {
     fields_ = std::make_unique<FieldWriter>(folder_, from != nullptr);
-    for (const MovingBody& body : march.bodies()) ids_.push_back(fields_->add_body(body.name, *body.discretization));
+    for (const MovingBody& body : march.bodies()) ids_.push_back(fields_->add_body(body.name, *body.discretization, scene.recovered_fields ? std::optional(scene.plane) : std::nullopt));
     march.keep_good_states();
   }
   if (!options.checkpoint) return;

@@ -18,6 +18,7 @@ struct Sample {
   double volume;                         ///< m^dim, without the thickness
   std::array<double, 6> stress, strain;  ///< Cauchy; xx yy zz xy yz zx
   double plastic;                        ///< equivalent plastic strain; 0 when the law has none
+  FlowStress flow;                       ///< of the Cauchy stress
 };
 
 class CellLoop {

@@ -94,7 +94,7 @@ ExplicitFem::ExplicitFem(const Scene& scene, std::size_t body, const Options& op
   bars_ = TrussBars(rows, nodes, mesh_.dim, scene.large_motion);
   bars_.add_mass(mass_);
   bars_text_ = femsph::describe(rows, scene);
-  plastic_ = material.plasticity.has_value();
+  plasticity_ = material.plasticity;
   wave_speed_ = std::visit([](const auto& l) { return l.wave_speed(); }, law_);
   loop_ = make_loop(element_, {&mesh_, &batches_, law_, thickness_, options.hourglass, scene.large_motion, options.scalar_kernel});
 }
@@ -109,9 +109,9 @@ std::string ExplicitFem::describe() const {
 /// nothing about that. In plane stress the thickness gives way.
 std::vector<std::string> ExplicitFem::warnings() const {
   const double poisson = std::visit([](const auto& l) { return l.elastic().poisson; }, law_);
-  if (plane_ == Plane::stress || (element_ != Element::full && element_ != Element::sri) || (poisson <= 0.45 && !plastic_)) return {};
-  std::string why = plastic_ ? "plastic flow keeps the volume" : "";
-  if (poisson > 0.45) why = "Poisson's ratio is " + in_short(poisson) + (plastic_ ? ", and " + why : "");
+  if (plane_ == Plane::stress || (element_ != Element::full && element_ != Element::sri) || (poisson <= 0.45 && !plasticity_)) return {};
+  std::string why = plasticity_ ? "plastic flow keeps the volume" : "";
+  if (poisson > 0.45) why = "Poisson's ratio is " + in_short(poisson) + (plasticity_ ? ", and " + why : "");
   return {why + ": " + name_of(element_) + " locks in volume, and displacements may come out far too small; fem-assumed-strain and fem-one-point do not"};
 }
 
@@ -194,11 +194,37 @@ std::vector<Weight> ExplicitFem::material_interpolation(const Point& p) const {
   return r;
 }
 
+/// The strain of every element here is most accurate in the mean of its cell (Barlow 1976), whose edges at the centre measure lengths.
+MaterialUnits ExplicitFem::material_units() const {
+  MaterialUnits units;
+  units.dim = mesh_.dim;
+  units.points_per_unit = static_cast<std::size_t>(loop_->points_per_cell());
+  units.place.resize(material_points());
+  units.volume.resize(material_points());
+  units.shape.resize(mesh_.cell_count());
+  parallel_for(mesh_.cell_count(), 64, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t q = begin * units.points_per_unit; q < end * units.points_per_unit; ++q) units.place[q] = material_position(q), units.volume[q] = material_volume(q);
+    for (std::size_t c = begin; c < end; ++c) {
+      units.shape[c] = {};
+      for (int d = 0; d < mesh_.dim; ++d) {
+        Point edge{};  // 2 dx/dxi_d at the centre
+        for (int a = 0; a < mesh_.corners(); ++a)
+          for (int i = 0; i < mesh_.dim; ++i) edge[i] += (a >> d & 1 ? 2.0 : -2.0) / mesh_.corners() * mesh_.node(mesh_.cell(c)[a])[i];
+        for (int i = 0; i < mesh_.dim; ++i)
+          for (int j = i; j < mesh_.dim; ++j) units.shape[c][static_cast<std::size_t>(symmetric_index<3>(i, j))] += edge[i] * edge[j];
+      }
+    }
+  });
+  return units;
+}
+
 void ExplicitFem::material_state(const double* u, std::span<const std::size_t> points, MaterialState& out) const {
   const std::size_t n = static_cast<std::size_t>(loop_->points_per_cell());
   out.stress.resize(points.size());
   out.strain.resize(points.size());
-  out.plastic.resize(plastic_ ? points.size() : 0);
+  const bool plastic = plasticity_.has_value();
+  out.plastic.resize(plastic ? points.size() : 0);
+  out.resize_flow(plasticity_ ? &*plasticity_ : nullptr, points.size());
   parallel_for(points.size(), n * lanes, [&](std::size_t begin, std::size_t end) {
     std::array<Sample, 8> cell;
     std::size_t known = std::numeric_limits<std::size_t>::max();
@@ -210,7 +236,9 @@ void ExplicitFem::material_state(const double* u, std::span<const std::size_t> p
       const Sample& sample = cell[points[k] % n];
       out.stress[k] = sample.stress;
       out.strain[k] = sample.strain;
-      if (plastic_) out.plastic[k] = sample.plastic;
+      if (!plastic) continue;
+      out.plastic[k] = sample.plastic;
+      out.set_flow(k, sample.flow);
     }
   });
 }

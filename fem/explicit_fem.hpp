@@ -46,6 +46,7 @@ class ExplicitFem : public Discretization {
   /// Four or eight points a cell: each cell at p carries its values out to p, multilinear through its points, and the mean of these
   /// cells counts. One point a cell: a linear fit to the cells around.
   std::vector<Weight> material_interpolation(const Point& p) const override;
+  MaterialUnits material_units() const override;
   void material_state(const double* u, std::span<const std::size_t> points, MaterialState& out) const override;
   Topology topology() const override;
 
@@ -68,7 +69,7 @@ class ExplicitFem : public Discretization {
   std::size_t cell_of(std::size_t lane) const;
   Point centre_now(std::size_t cell, const double* u) const;  ///< m, in the deformed body
   Law law_;
-  bool plastic_;  ///< the law has plastic strain and work
+  std::optional<Plasticity> plasticity_;
   std::unique_ptr<CellLoop> loop_;
   TrussBars bars_;
   std::string bars_text_;

@@ -37,7 +37,7 @@ struct SampleObserver {
 
   void point(int q, double volume, const SmallStrain::Frame<double, dim>&, const Symmetric<double, dim>& e,
              const Symmetric<double, dim>& s, const double* history) {
-    give(q, volume, axes, e, s, across(e, s, history), history);
+    give(q, volume, axes, e, s, across(e, s, history), history, 1.0);
   }
   void point(int q, double volume, const Tensor<double, dim>& R, const Symmetric<double, dim>& e, const Symmetric<double, dim>& law_stress,
              const double* history) {
@@ -47,7 +47,7 @@ struct SampleObserver {
     for (int i = 0; i < dim; ++i)
       for (int j = 0; j < dim; ++j)
         for (int k = 0; k < dim; ++k) total[i][j] += axes[i][k] * R[k][j];
-    give(q, volume, total, e, s, normal, history);
+    give(q, volume, total, e, s, normal, history, cauchy_share<Kinematics>(e, normal.strain));
   }
 
  private:
@@ -69,13 +69,16 @@ struct SampleObserver {
     return r;
   }
   void give(int q, double volume, const Tensor<double, dim>& R, const Symmetric<double, dim>& e, const Symmetric<double, dim>& s, const Across& normal,
-            [[maybe_unused]] const double* history) {
-    Sample sample{first + static_cast<std::size_t>(q), volume, turned(R, s), turned(R, e), 0.0};
+            [[maybe_unused]] const double* history, [[maybe_unused]] double share) {
+    Sample sample{first + static_cast<std::size_t>(q), volume, turned(R, s), turned(R, e), 0.0, {}};
     if (dim == 2) {
       sample.stress[2] = normal.stress;
       sample.strain[2] = normal.strain;
     }
-    if constexpr (!LawType::path_independent) sample.plastic = law.plastic_strain(history);
+    if constexpr (!LawType::path_independent) {
+      sample.plastic = law.plastic_strain(history);
+      sample.flow = flow_stress(law, history, share, sample.stress);
+    }
     *out++ = sample;
   }
 };

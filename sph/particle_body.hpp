@@ -37,6 +37,8 @@ class ParticleBody : public Discretization {
   std::size_t material_points() const override { return particles_.size(); }
   Point material_position(std::size_t point) const override { return particles_.position[point]; }
   double material_volume(std::size_t point) const override { return particles_.own_volume(point) * thickness_; }
+  /// Each particle at its own place; see TotalLagrangian for where a corrected gradient belongs.
+  MaterialUnits material_units() const override;
   Topology topology() const override;
   /// The sides of the lattice's cells between particles that belong to one cell: particles sit on the surface, and so do they;
   /// of a fitted body those of its own cells.
@@ -59,6 +61,7 @@ class ParticleBody : public Discretization {
 
  private:
   const double* fill_mirrored(const double* u) const;
+  double filled_share(std::size_t i) const;
   double share_within(const Region& region, std::size_t i) const;
   std::vector<Weight> layer_at(const Place& place) const;
   std::size_t owner_of(const Point& x) const;

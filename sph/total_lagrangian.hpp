@@ -70,6 +70,7 @@ class TotalLagrangian final : public ParticleBody {
 
   Energies energies(const double* given) const override;
   std::vector<BarPiece> bars(const double* u) const override;
+  MaterialUnits material_units() const override;
   void material_state(const double* given, std::span<const std::size_t> points, MaterialState& out) const override;
   std::optional<Trouble> trouble(const double* given) const override;
   std::optional<Stiffening> stiffening(const double* given) const override;

@@ -68,6 +68,7 @@ void TotalLagrangian<dim, Stencils, Kinematics, LawType, correction>::material_s
   out.stress.resize(points.size());
   out.strain.resize(points.size());
   out.plastic.resize(n_state == 0 ? 0 : points.size());
+  out.resize_flow(plasticity_of(law_), points.size());
   if constexpr (mean) mean_stresses_around(u, points);
   parallel_for(points.size(), lanes, [&](std::size_t begin, std::size_t end) {
     Tensor<Pack, dim> H;
@@ -97,6 +98,7 @@ void TotalLagrangian<dim, Stencils, Kinematics, LawType, correction>::material_s
         for (int c = 0; c < n_state - 2 * n_symmetric; ++c) own[c] = history(block)[c][lane];
         spatial_state<Kinematics>(law_, h, s, e, own, out.stress[k], out.strain[k]);
         out.plastic[k] = law_.plastic_strain(own);
+        out.set_flow(k, flow_stress(law_, own, cauchy_share<Kinematics>(e, out.strain[k][2]), out.stress[k]));
       }
       if constexpr (mean) {  // over J, as a Cauchy stress; the law's volume, as the law's stress
         double volume = 1;
@@ -131,6 +133,36 @@ void TotalLagrangian<dim, Stencils, Kinematics, LawType, correction>::mean_stres
     store(dilatation_->pressure(block), VolumeChange<Kinematics, dim>::work(strain, stress_now(block, strain)));
   });
   dilatation_->mirror_pressure(particles_);
+}
+
+/// Of a field with second derivatives the corrected gradient of particle i is, to first order, that at x_i + s_i: the least-squares place
+///   s_i = 1/(dim + 1) sum_j (G_ij . x_ij) x_ij,  G_ij = B_i w_ij;
+/// zero where the neighbours lie evenly, and into the body at its surface. An uncorrected gradient has an error of order 0 there and no such place.
+template <int dim, class Stencils, class Kinematics, class LawType, Correction correction>
+MaterialUnits TotalLagrangian<dim, Stencils, Kinematics, LawType, correction>::material_units() const {
+  MaterialUnits units = ParticleBody::material_units();
+  if constexpr (corrected) {
+    if (options_.formulation != Formulation::corrected) return units;
+    AlignedVector<double> x(layout_.size, 0.0);
+    for (std::size_t i = 0; i < particles_.position.size(); ++i)
+      for (int c = 0; c < dim; ++c) x[layout_.at(i, c)] = particles_.position[i][std::size_t(c)];
+    parallel_for(blocks() * lanes, lanes, [&](std::size_t begin, std::size_t end) {
+      for (std::size_t block = begin / lanes; block < end / lanes; ++block) {
+        Tensor<Pack, dim> sum[dim]{};  // w_a x_b x_c
+        operator_.stencils().each(block, x.data() + first(block), stride(), [&](const Pack(&apart)[dim], const Pack(&w)[dim], const Pack&) {
+          for (int a = 0; a < dim; ++a)
+            for (int b = 0; b < dim; ++b)
+              for (int c = 0; c < dim; ++c) sum[a][b][c] += w[a] * apart[b] * apart[c];
+        });
+        for (std::size_t i = block * lanes; i < std::min((block + 1) * lanes, particles_.size()); ++i)
+          for (int c = 0; c < dim; ++c)
+            for (int a = 0; a < dim; ++a)
+              for (int b = 0; b < dim; ++b)
+                units.place[i][std::size_t(c)] += operator_.correction(i, a, b) * sum[a][b][c][i % lanes] / (dim + 1);
+      }
+    });
+  }
+  return units;
 }
 
 /// det F <= 0 at a particle.

@@ -93,11 +93,15 @@ class UpdatedLagrangian final : public ParticleBody {
     out.stress.resize(points.size());
     out.strain.resize(points.size());
     out.plastic.resize(State::plastic ? points.size() : 0);
+    out.resize_flow(plasticity_of(law_), points.size());
     for (std::size_t k = 0; k < points.size(); ++k) {
       double own[State::size];
       for (int c = 0; c < State::size; ++c) own[c] = state(points[k] / lanes)[c][points[k] % lanes];
       State::show(law_, own, out.stress[k], out.strain[k]);
-      if constexpr (State::plastic) out.plastic[k] = State::plastic_strain(law_, own);
+      if constexpr (State::plastic) {
+        out.plastic[k] = State::plastic_strain(law_, own);
+        out.set_flow(k, flow_stress(law_, own + State::history, 1.0, out.stress[k]));
+      }
     }
   }
 

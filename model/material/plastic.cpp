@@ -1,5 +1,8 @@
 #include "model/material/plastic.hpp"
 
+#include <algorithm>
+
+#include "model/material/flow_stress.hpp"
 #include "model/material/johnson_cook.hpp"
 #include "model/material/no_return.hpp"
 #include "model/material/return_mapping.hpp"
@@ -45,6 +48,23 @@ void Plastic::flow(const Symmetric<T, dim>& increment, Symmetric<T, dim>& stress
 
   if (p.integration == Integration::largest_stress) history[excess] = larger(history[excess], von_mises(now) - initial);
   note<false>(trial, now, step, stress, history);
+}
+
+FlowStress flow_stress(const Plastic& law, const double* history, double share, const std::array<double, 6>& cauchy) {
+  const Plasticity& p = law.parameters;
+  FlowStress bound;
+  if (p.tension == TensionRule::principal) bound.strength = share * p.tensile_strength;
+  if (p.integration != Integration::return_mapping) return bound;
+  const double grown = p.hardening * history[Plastic::equivalent_strain];
+  bound.yield = share * (p.yield + grown);
+  bound.tensile = p.tension == TensionRule::sign ? share * (p.tensile_strength + grown) : bound.yield;
+  if (p.johnson_cook) {
+    const double last = history[Plastic::excess], before = history[Plastic::equivalent_strain] - last;
+    const Symmetric<double, 3> s{cauchy[0], cauchy[1], cauchy[2], cauchy[3], cauchy[4], cauchy[5]};
+    const double rate_and_heat = johnson_cook<double>(p, law.step, before, last, history[Plastic::work], 0.0, 0.0).value;
+    bound.yield = bound.tensile = std::max(share * rate_and_heat, von_mises<double, 3>({s, 0.0}));
+  }
+  return bound;
 }
 
 template void Plastic::flow(const Symmetric<double, 2>&, Symmetric<double, 2>&, double*) const;

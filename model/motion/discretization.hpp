@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "model/material/flow_stress.hpp"
 #include "model/motion/archive.hpp"
 #include "model/scene/scene.hpp"
 
@@ -47,6 +48,34 @@ struct PointArea {
 struct MaterialState {
   std::vector<std::array<double, 6>> stress, strain;
   std::vector<double> plastic;  ///< equivalent plastic strain; empty when the law has none
+  /// Pa, Cauchy: the von Mises stress at which each point flows now; infinite where the law lets the stress pass it (without return mapping). Empty when the law has none.
+  std::vector<double> flow_stress;
+  std::vector<double> tensile_flow_stress;  ///< the same where the mean stress is tension, by the sign rule; else empty
+  std::vector<double> tensile_strength;     ///< Pa, no principal stress above; empty when the law does not say so
+
+  /// The three for so many points of a material; null if it is elastic.
+  void resize_flow(const Plasticity* p, std::size_t points) {
+    flow_stress.resize(p ? points : 0);
+    tensile_flow_stress.resize(p && p->tension == TensionRule::sign ? points : 0);
+    tensile_strength.resize(p && p->tension == TensionRule::principal ? points : 0);
+  }
+  void set_flow(std::size_t k, const FlowStress& flow) {
+    flow_stress[k] = flow.yield;
+    if (!tensile_flow_stress.empty()) tensile_flow_stress[k] = flow.tensile;
+    if (!tensile_strength.empty()) tensile_strength[k] = flow.strength;
+  }
+};
+
+/// The material points as the reading of stress and strain sees them (recovery.hpp). Unit c (a cell, a particle) has the points c n .. c n + n - 1.
+struct MaterialUnits {
+  int dim = 2;
+  std::size_t points_per_unit = 1;  ///< n
+  std::vector<Point> place;         ///< of each point, m: where its strain is most accurate; undeformed
+  std::vector<double> volume;       ///< of each point; any common factor
+  /// Of each unit, or one for all: J J^T, xx yy zz xy yz zx in m^2, J the edge vectors at the centre. Lengths by its inverse are counted in cells.
+  std::vector<std::array<double, 6>> shape;
+  std::vector<double> quality;  ///< of each unit: how far its strain is that of its place; empty: 1
+  std::size_t size() const { return place.size() / points_per_unit; }
 };
 
 /// A piece of a reinforcing bar as it is now.
@@ -134,13 +163,15 @@ class Discretization {
   /// The discretization's own interpolation of a nodal field at a point of the undeformed body; weights sum to 1.
   virtual std::vector<Weight> interpolation(const Point& p) const = 0;
 
-  /// The same for stress and strain: weights of material points for their value at p.
+  /// The same for stress and strain: weights of material points for their value at p. This is the raw reading; recovery.hpp has the one for all methods.
   virtual std::vector<Weight> material_interpolation(const Point& p) const = 0;
 
   virtual std::size_t material_points() const = 0;
   virtual Point material_position(std::size_t point) const = 0;
   /// Volume that each material point stands for, m^3.
   virtual double material_volume(std::size_t point) const = 0;
+  /// What recovery.hpp needs, once; empty: there is the raw reading only.
+  virtual MaterialUnits material_units() const { return {}; }
   /// State of the listed material points at displacement u, in their order.
   virtual void material_state(const double* u, std::span<const std::size_t> points, MaterialState& out) const = 0;
 

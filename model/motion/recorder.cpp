@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "model/motion/principal.hpp"
+#include "model/motion/recovery.hpp"
 
 namespace femsph {
 
@@ -15,19 +16,44 @@ double scalar_of(const MaterialState& state, Quantity q, std::size_t k) {
   return state.plastic.empty() ? 0.0 : state.plastic[k];
 }
 
-std::vector<Weight> weights_at(const March& march, std::size_t body, Quantity quantity, const Point& p) {
-  const Discretization& d = *march.body(body).discretization;
-  return on_material(quantity) ? d.material_interpolation(p) : d.interpolation(p);
-}
+/// The recoveries of bodies, made when first asked for, and gone once all weights are known.
+class Recoveries {
+ public:
+  explicit Recoveries(const March& march) : march_(march) {}
+  /// Null if the body has no units.
+  const Recovery* of(std::size_t body) {
+    const auto [known, fresh] = made_.try_emplace(body);
+    if (fresh)
+      if (MaterialUnits units = march_.body(body).discretization->material_units(); !units.place.empty()) known->second.emplace(std::move(units));
+    return known->second ? &*known->second : nullptr;
+  }
+
+ private:
+  const March& march_;
+  std::map<std::size_t, std::optional<Recovery>> made_;
+};
 
 }  // namespace
 
 Recorder::Recorder(const March& march) {
   const Scene& scene = march.scene();
   const auto add = [&](const std::string& name, const std::string& unit) { add_column(scene, name, unit); };
+  Recoveries recoveries(march);
+  const auto reading_at = [&](const auto& observed, const Point& p) {
+    Reading reading{observed.name, observed.body, observed.quantity, {}};
+    const Discretization& d = *march.body(observed.body).discretization;
+    if (!on_material(observed.quantity)) {
+      reading.weights = d.interpolation(p);
+      return reading;
+    }
+    const Recovery* rule = observed.reading == StressReading::raw ? nullptr : recoveries.of(observed.body);
+    reading.raw = !rule;
+    reading.weights = rule ? rule->weights(p) : d.material_interpolation(p);
+    return reading;
+  };
   add("time", "s");
   for (const Probe& probe : scene.probes) {
-    probes_.push_back({probe.name, probe.body, probe.quantity, weights_at(march, probe.body, probe.quantity, probe.point)});
+    probes_.push_back(reading_at(probe, probe.point));
     for (const std::string& c : component_names(probe.quantity, scene.dim())) add(probe.name + "_" + c, unit_of(probe.quantity));
   }
   for (const char* energy : {"kinetic_energy", "strain_energy", "hourglass_energy", "external_work", "damping_loss", "viscosity_loss"})
@@ -66,7 +92,7 @@ Recorder::Recorder(const March& march) {
       Point p;
       for (int c = 0; c < 3; ++c) p[c] = section.from[c] + s * (section.to[c] - section.from[c]);
       line.distance.push_back(s * length);
-      line.points.push_back({section.name, section.body, section.quantity, weights_at(march, section.body, section.quantity, p)});
+      line.points.push_back(reading_at(section, p));
     }
     lines_.push_back(std::move(line));
   }
@@ -79,33 +105,38 @@ void Recorder::add_column(const Scene& scene, const std::string& name, const std
   history_.add(name, unit);
 }
 
+/// What the rule has read of stress and strain (recovery.hpp): equivalent and principal stresses are those of the stress.
+std::vector<double> Recorder::read_material(const March& march, const Reading& reading) const {
+  const MovingBody& body = march.body(reading.body);
+  std::vector<std::size_t> points;
+  for (const Weight& w : reading.weights) points.push_back(w.point);
+  MaterialState state;
+  body.discretization->material_state(body.u.data(), points, state);
+  if (reading.raw && is_scalar(reading.quantity)) {
+    double value = 0;
+    for (std::size_t k = 0; k < points.size(); ++k) value += reading.weights[k].weight * scalar_of(state, reading.quantity, k);
+    return {value};
+  }
+  if (reading.raw) state.flow_stress.clear();
+  const Recovered here = recovered(reading.weights, state, march.scene().plane);
+  switch (reading.quantity) {
+    case Quantity::equivalent_stress: return {von_mises(here.stress)};
+    case Quantity::plastic_strain: return {here.plastic};
+    case Quantity::principal_stress: {
+      const std::array<double, 3> principal = principal_values(here.stress);
+      return {principal.begin(), principal.end()};
+    }
+    default: break;
+  }
+  const auto& values = reading.quantity == Quantity::stress ? here.stress : here.strain;
+  return {values.begin(), values.begin() + (march.scene().dim() == 2 ? 4 : 6)};
+}
+
 std::vector<double> Recorder::read(const March& march, const Reading& reading) const {
   const MovingBody& body = march.body(reading.body);
   const Discretization& d = *body.discretization;
   const int dim = march.scene().dim();
-  if (on_material(reading.quantity)) {
-    std::vector<std::size_t> points;
-    for (const Weight& w : reading.weights) points.push_back(w.point);
-    MaterialState state;
-    d.material_state(body.u.data(), points, state);
-    if (is_scalar(reading.quantity)) {
-      double value = 0;
-      for (std::size_t k = 0; k < points.size(); ++k) value += reading.weights[k].weight * scalar_of(state, reading.quantity, k);
-      return {value};
-    }
-    if (reading.quantity == Quantity::principal_stress) {  // of the stress that "stress" gives there
-      std::array<double, 6> stress{};
-      for (std::size_t k = 0; k < points.size(); ++k)
-        for (std::size_t c = 0; c < 6; ++c) stress[c] += reading.weights[k].weight * state.stress[k][c];
-      const std::array<double, 3> principal = principal_values(stress);
-      return {principal.begin(), principal.end()};
-    }
-    const auto& values = reading.quantity == Quantity::stress ? state.stress : state.strain;
-    std::vector<double> out(dim == 2 ? 4 : 6, 0.0);
-    for (std::size_t k = 0; k < points.size(); ++k)
-      for (std::size_t c = 0; c < out.size(); ++c) out[c] += reading.weights[k].weight * values[k][c];
-    return out;
-  }
+  if (on_material(reading.quantity)) return read_material(march, reading);
   std::vector<double> out(dim, 0.0);
   const Layout& at = d.layout();
   for (const Weight& w : reading.weights)

@@ -31,8 +31,10 @@ class Recorder {
     std::size_t body;
     Quantity quantity;
     std::vector<Weight> weights;  ///< of points, or of material points for stress and strain
+    bool raw = false;             ///< stress and strain as the discretization interpolates them, not by recovery.hpp
   };
   std::vector<double> read(const March& march, const Reading& reading) const;
+  std::vector<double> read_material(const March& march, const Reading& reading) const;
 
   std::vector<Reading> probes_;
   struct Line {

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <filesystem>
 #include <future>
 #include <numeric>
@@ -11,6 +12,7 @@
 #include <stdexcept>
 
 #include "model/motion/principal.hpp"
+#include "model/motion/recovery.hpp"
 #include "model/numerics/parallel.hpp"
 #include "model/results/hdf5.hpp"
 #include "model/results/whole_file.hpp"
@@ -53,6 +55,7 @@ constexpr std::array<int, 9> full{0, 3, 5, 3, 1, 4, 5, 4, 2};
 
 struct CellFields {
   std::vector<double> stress, strain, equivalent, principal, plastic;  ///< plastic: empty when the law has none
+  MaterialState flow;  ///< of it the bounds of the stress, means too, when points are to be recovered
 };
 
 /// a b + c as the compiler contracts such a sum where the processor can: said outright, since how it unrolls the loop around must not change the bits.
@@ -83,7 +86,7 @@ std::vector<double> shares_of(const Discretization& d, std::size_t cells) {
 /// (mirrored particles) it prepares for eight of them at most.
 class Means {
  public:
-  void fill(const Discretization& d, const double* u, const std::vector<double>& share, std::size_t cells, CellFields& out) {
+  void fill(const Discretization& d, const double* u, const std::vector<double>& share, std::size_t cells, bool with_flow, CellFields& out) {
     const std::size_t k = cells ? d.material_points() / cells : 0;
     const std::size_t at_once = cells ? std::max(std::size_t{16384}, d.material_points() / 8) / k : 0;
     out.stress.resize(9 * cells);
@@ -96,15 +99,28 @@ class Means {
       points_.resize(count * k);
       std::iota(points_.begin(), points_.end(), first * k);
       d.material_state(u, points_, state_);
+      if (with_flow)
+        for (const auto bound : bounds) (out.flow.*bound).resize((state_.*bound).empty() ? 0 : cells);
       out.plastic.resize(state_.plastic.empty() ? 0 : cells);
       parallel_for(count, 64, [&](std::size_t begin, std::size_t end) {
-        for (std::size_t e = begin; e < end; ++e) mean(e, first + e, k, share.empty() ? nullptr : &share[(first + e) * k], out);
+        for (std::size_t e = begin; e < end; ++e) {
+          const double* shares = share.empty() ? nullptr : &share[(first + e) * k];
+          mean(e, first + e, k, shares, out);
+          for (const auto bound : bounds)
+            if (with_flow && !(state_.*bound).empty()) (out.flow.*bound)[first + e] = mean_of(state_.*bound, e, k, shares);
+        }
       }, k);
     }
     if (cells == 0) out.plastic.clear();
   }
 
  private:
+  static constexpr std::array bounds{&MaterialState::flow_stress, &MaterialState::tensile_flow_stress, &MaterialState::tensile_strength};
+  static double mean_of(const std::vector<double>& values, std::size_t e, std::size_t k, const double* shares) {
+    double sum = 0;
+    for (std::size_t n = 0; n < k; ++n) sum += (shares ? shares[n] : 1.0) * values[e * k + n];
+    return sum;
+  }
   /// Points e k .. e k + k - 1 of state_ are those of `cell`; k = 1 leaves every value as it is, to the last bit.
   void mean(std::size_t e, std::size_t cell, std::size_t k, const double* shares, CellFields& out) const {
     double stress[9] = {}, strain[9] = {}, equivalent = 0, plastic = 0;
@@ -130,6 +146,81 @@ class Means {
   std::vector<std::size_t> points_;
 };
 
+/// Stress and strain at the points by the one rule, from the means of the units around: their weights, and the values of the last snapshot.
+class AtPoints {
+ public:
+  AtPoints(const Discretization& d, Plane plane) : plane_(plane) {
+    const Recovery rule(d.material_units());
+    const std::size_t points = d.layout().points;
+    std::vector<std::vector<Weight>> all(points);
+    parallel_for(points, 64, [&](std::size_t begin, std::size_t end) {
+      for (std::size_t i = begin; i < end; ++i) all[i] = rule.unit_weights(d.position(i));
+    }, 64);
+    begin_.assign(points + 1, 0);
+    for (std::size_t i = 0; i < points; ++i) begin_[i + 1] = begin_[i] + all[i].size();
+    near_.reserve(begin_.back());
+    for (std::vector<Weight>& weights : all) {
+      for (const Weight& w : weights) near_.push_back({std::uint32_t(w.point), float(w.weight)});
+      std::vector<Weight>().swap(weights);
+    }
+  }
+
+  void fill(const CellFields& cells) {
+    const std::size_t points = begin_.size() - 1;
+    values.stress.resize(9 * points);
+    values.strain.resize(9 * points);
+    values.equivalent.resize(points);
+    values.principal.resize(3 * points);
+    values.plastic.resize(cells.plastic.empty() ? 0 : points);
+    parallel_for(points, 64, [&](std::size_t begin, std::size_t end) {
+      for (std::size_t i = begin; i < end; ++i) value(i, cells);
+    }, 32);
+  }
+  CellFields values;
+
+ private:
+  void value(std::size_t i, const CellFields& cells) {
+    std::array<double, 6> stress{}, strain{};
+    for (std::size_t n = begin_[i]; n < begin_[i + 1]; ++n)
+      for (std::size_t c = 0; c < 6; ++c) {
+        stress[c] = multiply_add(near_[n].weight, cells.stress[9 * near_[n].unit + six[c]], stress[c]);
+        strain[c] = multiply_add(near_[n].weight, cells.strain[9 * near_[n].unit + six[c]], strain[c]);
+      }
+    if (!cells.flow.flow_stress.empty()) {
+      StressBound bound{};
+      bound.yield = kept(i, cells.flow.flow_stress);
+      bound.tensile = cells.flow.tensile_flow_stress.empty() ? bound.yield : kept(i, cells.flow.tensile_flow_stress);
+      bound.strength = cells.flow.tensile_strength.empty() ? std::numeric_limits<double>::infinity() : kept(i, cells.flow.tensile_strength);
+      stress = limited(stress, bound, plane_);
+    }
+    for (std::size_t c = 0; c < 9; ++c) values.stress[9 * i + c] = stress[std::size_t(full[c])], values.strain[9 * i + c] = strain[std::size_t(full[c])];
+    values.equivalent[i] = von_mises(stress);
+    const std::array<double, 3> principal = principal_values(stress);
+    std::copy(principal.begin(), principal.end(), &values.principal[3 * i]);
+    if (!cells.plastic.empty()) values.plastic[i] = kept(i, cells.plastic);
+  }
+  /// Within the range of the units used.
+  double kept(std::size_t i, const std::vector<double>& of_units) const {
+    double sum = 0, low = of_units[near_[begin_[i]].unit], high = low;
+    for (std::size_t n = begin_[i]; n < begin_[i + 1]; ++n) {
+      const double v = of_units[near_[n].unit];
+      if (std::isinf(v)) return v;
+      sum = multiply_add(near_[n].weight, v, sum);
+      low = std::min(low, v), high = std::max(high, v);
+    }
+    return std::clamp(sum, low, high);
+  }
+
+  static constexpr std::array<std::size_t, 6> six{0, 4, 8, 1, 5, 2};  ///< xx yy zz xy yz zx in nine
+  struct Near {
+    std::uint32_t unit;
+    float weight;
+  };
+  Plane plane_;
+  std::vector<std::size_t> begin_;  ///< of each point, in near_
+  std::vector<Near> near_;
+};
+
 }  // namespace
 
 struct FieldWriter::Impl {
@@ -140,6 +231,8 @@ struct FieldWriter::Impl {
   std::optional<hdf5::Image> geometry, data;
   xdmf::Frame frame;  ///< described by `data`
   std::vector<std::vector<double>> shares;  ///< of each body, from its first snapshot on
+  std::vector<std::optional<Plane>> recovered;     ///< of each body: its points have recovered values too
+  std::vector<std::unique_ptr<AtPoints>> at_points;  ///< of these, from the first snapshot on
   Means means;
   CellFields cells;          ///< these two for their memory: pages asked for anew cost as much as what is written on them
   std::vector<double> point_rows;
@@ -188,7 +281,7 @@ FieldWriter::FieldWriter(const std::string& folder, bool taken_up) : impl_(std::
 
 FieldWriter::~FieldWriter() = default;
 
-std::size_t FieldWriter::add_body(const std::string& name, const Discretization& body) {
+std::size_t FieldWriter::add_body(const std::string& name, const Discretization& body, std::optional<Plane> recovered) {
   if (!impl_->geometry) throw std::logic_error("fields: body \"" + name + "\" added after the first commit");
   const std::size_t number = impl_->bodies.size();
   const Topology topology = body.topology();
@@ -205,6 +298,8 @@ std::size_t FieldWriter::add_body(const std::string& name, const Discretization&
   image.dataset(group + "/cells", connectivity(topology, shape), {shape.cells, shape.cell_points()});
   image.attribute(group, "name", name);
   impl_->bodies.push_back(shape);
+  impl_->bodies.back().both = recovered && !body.material_units().place.empty();
+  impl_->recovered.push_back(recovered);
   impl_->discretizations.push_back(&body);
   return number;
 }
@@ -217,7 +312,7 @@ void FieldWriter::snapshot(std::size_t body, long step, double time, const doubl
   std::vector<double>& share = impl_->shares[body];
   if (share.empty()) share = shares_of(d, cells);
   CellFields& means = impl_->cells;
-  impl_->means.fill(d, u, share, cells, means);
+  impl_->means.fill(d, u, share, cells, impl_->bodies[body].both, means);
 
   hdf5::Image& image = *impl_->data;
   const std::string group = xdmf::group(body);
@@ -229,6 +324,18 @@ void FieldWriter::snapshot(std::size_t body, long step, double time, const doubl
   image.dataset(group + "/principal_stress", means.principal, {cells, 3});
   impl_->bodies[body].plastic = !means.plastic.empty();
   if (impl_->bodies[body].plastic) image.dataset(group + "/plastic_strain", means.plastic, {cells, 1});
+  if (impl_->bodies[body].both) {
+    impl_->at_points.resize(impl_->bodies.size());
+    std::unique_ptr<AtPoints>& at = impl_->at_points[body];
+    if (!at) at = std::make_unique<AtPoints>(d, *impl_->recovered[body]);
+    at->fill(means);
+    const CellFields& read = at->values;
+    image.dataset(group + "/recovered_stress", read.stress, {points, 9});
+    image.dataset(group + "/recovered_strain", read.strain, {points, 9});
+    image.dataset(group + "/recovered_equivalent_stress", read.equivalent, {points, 1});
+    image.dataset(group + "/recovered_principal_stress", read.principal, {points, 3});
+    if (!read.plastic.empty()) image.dataset(group + "/recovered_plastic_strain", read.plastic, {points, 1});
+  }
   impl_->frame.bodies.push_back(body);
 }
 

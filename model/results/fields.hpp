@@ -2,6 +2,7 @@
 // Fields over space and time as HDF5 (data) + XDMF (what the data are), which ParaView opens.
 
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -26,12 +27,14 @@ class FieldWriter {
   ~FieldWriter();
 
   /// Geometry of a body, which must outlive the writer; call once per body, before the first commit.
-  /// FEM: its cells; SPH: vertices (Polyvertex). Returns the body's number for snapshot().
-  std::size_t add_body(const std::string& name, const Discretization& body);
+  /// FEM: its cells; SPH: vertices (Polyvertex). With `recovered`, the scene's plane, every snapshot also has stress and strain at the points by the rule
+  /// of motion/recovery.hpp. Returns the body's number for snapshot().
+  std::size_t add_body(const std::string& name, const Discretization& body, std::optional<Plane> recovered = {});
 
   /// Displacement and velocity at points; stress and strain (nine components, xx xy xz yx ..) and equivalent (von Mises) stress at
   /// material points: on SPH particles these are the points themselves; on FEM cells the volume-weighted mean of the cell's
-  /// quadrature points (of the equivalent stress too: in a bent cell it is not that of the mean stress).
+  /// quadrature points (of the equivalent stress too: in a bent cell it is not that of the mean stress). Recovered values come from the same means, by
+  /// weights found once: 8 bytes for each unit near a point, some 13 in the plane and 35 in space.
   void snapshot(std::size_t body, long step, double time, const double* u, const double* v);
   /// Ends a snapshot of all bodies and puts it on disk. What was not committed is lost.
   void commit();

@@ -60,6 +60,9 @@ std::string grid(const Body& body, const Frame& frame, const std::string& geomet
   out += fmt::format("          <Geometry GeometryType=\"XYZ\">{}</Geometry>\n", item("Float", body.points, 3, geometry + "/points"));
   for (const Field& field : fields) out += attribute(field, body, data + "/" + field.name);
   if (body.plastic) out += attribute(plastic_strain, body, data + "/" + plastic_strain.name);
+  for (const Field& field : recovered)
+    if (body.both) out += attribute(field, body, data + "/" + field.name);
+  if (body.both && body.plastic) out += attribute(recovered_plastic_strain, body, data + "/" + recovered_plastic_strain.name);
   return out + "        </Grid>\n";
 }
 

@@ -27,11 +27,19 @@ inline constexpr std::array<Field, 6> fields{{{"displacement", "Vector", 3, true
 
 inline constexpr Field plastic_strain{"plastic_strain", "Scalar", 1, false};  ///< equivalent; of bodies whose law has it
 
+/// Stress and strain by the rule of motion/recovery.hpp, at the points: the same reading for meshes and particles.
+inline constexpr std::array<Field, 4> recovered{{{"recovered_stress", "Tensor", 9, true},
+                                                 {"recovered_strain", "Tensor", 9, true},
+                                                 {"recovered_equivalent_stress", "Scalar", 1, true},
+                                                 {"recovered_principal_stress", "Vector", 3, true}}};
+inline constexpr Field recovered_plastic_strain{"recovered_plastic_strain", "Scalar", 1, true};
+
 struct Body {
   std::string name;
   Topology::Kind kind;
   std::size_t points, cells;
   bool plastic = false;  ///< has the field plastic_strain as well
+  bool both = false;     ///< has the recovered fields as well
   /// Points of a cell; a body without cells is made of one-point cells (Polyvertex).
   std::size_t cell_points() const;
 };

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cctype>
 
+#include "model/scene/quantities.hpp"
 #include "model/scene/scene_reader.hpp"
 
 namespace femsph::scene_reader {
@@ -19,6 +20,16 @@ std::optional<Quantity> read_observed(Fields& fields) {
                                   {"plastic_strain", Quantity::plastic_strain},
                                   {"equivalent_stress", Quantity::equivalent_stress},
                                   {"principal_stress", Quantity::principal_stress}});
+}
+
+const std::vector<std::pair<std::string, StressReading>> stress_readings{{"recovered", StressReading::recovered}, {"raw", StressReading::raw}};
+
+/// How stress and strain are read there; of a displacement it would say nothing.
+StressReading read_reading(Fields& fields, std::optional<Quantity> quantity, const Reading& reading) {
+  const auto own = fields.choice<StressReading>("reading", Need::optional, stress_readings);
+  if (quantity && !on_material(*quantity) && fields.has("reading"))
+    fields.fault("reading", "\"reading\" says how stress and strain are read, and this reads neither; expected no such key");
+  return own.value_or(reading.stress);
 }
 
 bool taken(const std::string& name, const Scene& scene) {
@@ -65,12 +76,21 @@ bool usable_name(const std::string& name) {
   return !name.empty() && name.size() <= 64 && std::all_of(name.begin(), name.end(), allowed);
 }
 
+void read_output(Fields& root, Reading& reading) {
+  auto output = root.table("output", Need::optional, "a table with reading = \"recovered\" or \"raw\", or fields = \"raw\" or \"both\"");
+  if (!output) return;
+  reading.stress = output->choice<StressReading>("reading", Need::optional, stress_readings).value_or(reading.stress);
+  reading.scene.recovered_fields = output->choice<bool>("fields", Need::optional, {{"raw", false}, {"both", true}}).value_or(reading.scene.recovered_fields);
+  output->done();
+}
+
 void read_probes(Fields& root, Reading& reading) {
   for (Fields& fields : root.tables("probes")) {
     Probe probe;
     probe.name = read_name(fields, reading.scene);
     const auto body = read_body_of(fields, reading);
     const auto quantity = read_observed(fields);
+    probe.reading = read_reading(fields, quantity, reading);
     const auto point = fields.vector("point", Need::required, dimension::length, reading.dim);
     fields.done();
     if (body) require_deformable(fields, "probe", *body, reading);
@@ -88,6 +108,7 @@ void read_sections(Fields& root, Reading& reading) {
     section.name = read_name(fields, reading.scene);
     const auto body = read_body_of(fields, reading);
     const auto quantity = read_observed(fields);
+    section.reading = read_reading(fields, quantity, reading);
     const auto from = fields.vector("from", Need::required, dimension::length, reading.dim);
     const auto to = fields.vector("to", Need::required, dimension::length, reading.dim);
     section.count = fields.count("points", Need::optional, 2, 1'000'000).value_or(section.count);

@@ -136,12 +136,17 @@ struct Contact {
 /// plastic_strain: equivalent; equivalent_stress: von Mises; principal_stress: the largest first, the one across a plane included.
 enum class Quantity { displacement, velocity, stress, strain, plastic_strain, equivalent_stress, principal_stress };
 
+/// How stress and strain are read at a point: by the one rule of model/motion/recovery.hpp, or by the discretization's own interpolation of its
+/// material points, whose order at a surface is the method's own affair.
+enum class StressReading { recovered, raw };
+
 /// Something read at a point in every sample of a run.
 struct Probe {
   std::string name;
   std::size_t body = 0;
   Quantity quantity = Quantity::displacement;
   Point point{};  ///< m, in the undeformed body
+  StressReading reading = StressReading::recovered;
 };
 
 /// The same along a straight line, at `count` equally spaced points from `from` to `to`.
@@ -151,6 +156,7 @@ struct Section {
   Quantity quantity = Quantity::stress;
   Point from{}, to{};
   int count = 41;
+  StressReading reading = StressReading::recovered;
 };
 
 enum class SettlingMethod { damping, kinetic };
@@ -186,6 +192,7 @@ struct Scene {
   double duration = 0;  ///< s; with settling: at most this long
   int samples = 400;    ///< rows of the histories over the duration
   int snapshots = 20;   ///< fields written over the duration
+  bool recovered_fields = false;  ///< fields hold stress and strain by the one rule at nodes and particles too
   std::optional<Settling> settling;
   std::vector<std::string> warnings;  ///< what the reader wants said: each "file:line:column: text", or a sentence
 

@@ -19,6 +19,7 @@ struct Reading {
   std::filesystem::path folder;  ///< of the file: mesh paths start here
   int dim = 0;                   ///< 0: the plane of the scene is itself at fault
   bool motion_known = false;     ///< false: "motion" of the scene is itself at fault
+  StressReading stress = StressReading::recovered;  ///< of probes and sections that do not say
 };
 
 void read_model(Fields& root, Reading& reading);
@@ -33,6 +34,7 @@ void read_initial_displacements(Fields& root, Reading& reading);
 void read_contacts(Fields& root, Reading& reading);
 void read_gravity(Fields& root, Reading& reading);
 void read_damping(Fields& root, Reading& reading);
+void read_output(Fields& root, Reading& reading);
 void read_probes(Fields& root, Reading& reading);
 void read_sections(Fields& root, Reading& reading);
 void read_time(Fields& root, Reading& reading);

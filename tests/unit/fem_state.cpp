@@ -35,6 +35,9 @@ struct Incremental {
   FEMSPH_INLINE T plastic_work(const T*) const { return T{}; }
 };
 
+/// No bound: the law is elastic.
+FlowStress flow_stress(const Incremental&, const double*, double, const std::array<double, 6>&) { return {}; }
+
 template <class ElementType, class T, int dim>
 void follow() {
   const LinearElastic elastic = LinearElastic::make(2.0, 0.3, 1.0, dim == 2 ? Plane::strain : Plane::none);
