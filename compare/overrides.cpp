@@ -49,6 +49,7 @@ void Overrides::apply(Method& method) const {
   set(kernel, sph.kernel);
   set(mass, sph.mass);
   set(boundary, sph.boundary);
+  set(projection, sph.projection);
   set(alpha, sph.viscosity.alpha);
   set(beta, sph.viscosity.beta);
   set(gamma, sph.viscosity.gamma);
@@ -65,6 +66,7 @@ std::string Overrides::describe() const {
   if (kernel) text += " kernel=" + word_of(kernels, *kernel);
   if (mass) text += " mass=" + word_of(masses, *mass);
   if (boundary) text += " boundary=" + word_of(boundaries, *boundary);
+  if (projection) text += fmt::format(" projection={}", *projection);
   number("alpha", alpha);
   number("beta", beta);
   number("gamma", gamma);
@@ -92,6 +94,7 @@ std::string why_idle(const Method& method, const std::string& option) {
   const bool classic = std::get<sph::Options>(method.options).formulation == sph::Formulation::classic;
   if (option == "distortion") return "it is an option of FEM";
   if (option == "hourglass" && classic) return "classic SPH has no hourglass control";
+  if (option == "projection" && classic) return "it belongs to corrected SPH";
   const bool viscosity = option == "viscosity" || option == "alpha" || option == "beta" || option == "gamma";
   if ((viscosity || option == "boundary") && !classic) return "it belongs to classic SPH";
   return "";
@@ -108,13 +111,14 @@ Overrides read_overrides(Fields& options, const std::vector<Method>& methods) {
     read.kernel = options.choice("kernel", Need::optional, kernels);
     read.mass = options.choice("mass", Need::optional, masses);
     read.boundary = options.choice("boundary", Need::optional, boundaries);
+    read.projection = options.flag("projection", Need::optional);
     read.alpha = read_number(options, "alpha");
     read.beta = read_number(options, "beta");
     read.gamma = read_number(options, "gamma");
     read.jitter = read_number(options, "jitter");
   }
   options.done();
-  for (const std::string key : {"hourglass", "boundary", "alpha", "beta", "gamma"}) {
+  for (const std::string key : {"hourglass", "boundary", "projection", "alpha", "beta", "gamma"}) {
     if (!options.has(key.c_str()) || (any_fem && key != "hourglass")) continue;
     for (const Method& method : methods)
       if (const std::string why = why_idle(method, key); !why.empty()) {

@@ -11,6 +11,7 @@ struct Overrides {
   std::optional<sph::KernelKind> kernel;
   std::optional<sph::MassRule> mass;
   std::optional<sph::Boundary> boundary;
+  std::optional<bool> projection;
 
   void apply(Method& method) const;
   /// " smoothing=1.2 alpha=5", to tell a changed method from the plain one in tables; empty if nothing is changed.
@@ -28,7 +29,7 @@ struct OptionRange {
 /// smoothing, alpha, beta, gamma, hourglass, jitter, distortion.
 const OptionRange& option_range(const std::string& name);
 
-/// Why an option (by its name above, or viscosity, kernel, mass, boundary) does nothing with this method: "hourglass control belongs to ..";
+/// Why an option (by its name above, or viscosity, kernel, mass, boundary, projection) does nothing with this method: "hourglass control belongs to ..";
 /// empty where it does something.
 std::string why_idle(const Method& method, const std::string& option);
 

@@ -10,8 +10,9 @@ namespace femsph::sph {
 
 namespace {
 
-constexpr double met = 1e-13, good = 1e-3;  ///< of the largest area vector: where to stop; what is better than no projection
-constexpr int most_newton = 20, most_iterations = 20000;
+constexpr double met = 1e-12;  ///< of the largest area vector: where to stop
+constexpr int most_newton = 20, least_iterations = 150;
+constexpr double most_work = 1e8;  ///< iterations x pairs, some seconds
 
 /// The rows' pairs in one array, each with the pair that looks back: from j, or from the particle whose image j is.
 template <int dim>
@@ -41,6 +42,7 @@ class Pairs {
   }
 
   std::size_t size() const { return n_; }
+  std::size_t pairs() const { return index_.size(); }
   bool complete() const { return complete_; }
   std::vector<double>& scale() { return scale_; }
 
@@ -236,7 +238,7 @@ double largest_of(const Vectors& v) {
 /// Conjugate gradients on J W J^T lambda = r, scaled by the diagonal, until no component of what is left exceeds `enough`. The matrix is singular (A does not
 /// see affine lambda), r is in its range. Returns lambda.
 template <int dim>
-typename Pairs<dim>::Vectors solve(Pairs<dim>& pairs, typename Pairs<dim>::Vectors r, double enough, int& iterations) {
+typename Pairs<dim>::Vectors solve(Pairs<dim>& pairs, typename Pairs<dim>::Vectors r, double enough, int most, int& iterations) {
   using Vectors = typename Pairs<dim>::Vectors;
   const std::size_t n = pairs.size();
   Vectors diagonal, lambda(n), z(n), p, q;
@@ -248,7 +250,8 @@ typename Pairs<dim>::Vectors solve(Pairs<dim>& pairs, typename Pairs<dim>::Vecto
   precondition();
   p = z;
   double rz = pairs.product(r, z);
-  while (largest_of(r) > enough && iterations < most_iterations) {
+  const int last = std::min(most, iterations + std::max(500, 2 * iterations));  // round-off may not let it come as near as asked
+  while (largest_of(r) > enough && iterations < last) {
     ++iterations;
     pairs.apply(p, q);
     const double pq = pairs.product(p, q);
@@ -263,6 +266,12 @@ typename Pairs<dim>::Vectors solve(Pairs<dim>& pairs, typename Pairs<dim>::Vecto
       for (int a = 0; a < dim; ++a) p[i][a] = z[i][a] + turn * p[i][a];
   }
   return lambda;
+}
+
+/// Iterations that a body can have: many if it is small.
+template <int dim>
+int most_iterations(const Pairs<dim>& pairs) {
+  return int(std::max(double(least_iterations), most_work / double(pairs.pairs())));
 }
 
 /// Newton's method: A depends on the scales through B too. It is quadratic, so that each solution need be no better than the next residual.
@@ -284,9 +293,10 @@ Projection project_in(const Particles& particles, const RowSource& source, const
   };
   out.left = pairs.complete() ? residual() : std::numeric_limits<double>::infinity();
   const double first = out.left;
-  for (int newton = 0; newton < most_newton && out.left > met && std::isfinite(out.left) && out.iterations < most_iterations; ++newton) {
-    const double enough = std::max(std::clamp(0.3 * out.left, 1e-5, 0.05) * out.left, 0.2 * met);
-    const Vectors lambda = solve<dim>(pairs, r, enough * unit, out.iterations);
+  const int most = most_iterations(pairs);
+  for (int newton = 0; newton < most_newton && out.left > met && std::isfinite(out.left) && out.iterations < most; ++newton) {
+    const double enough = std::max(std::clamp(0.3 * out.left, 1e-5, 0.05) * out.left, 0.3 * met);
+    const Vectors lambda = solve<dim>(pairs, r, enough * unit, most, out.iterations);
     const std::vector<double> before = pairs.scale();
     double left = 0;
     for (double factor = 1; factor > 0.1; factor *= 0.5) {  // shorter steps where the full one leads away
@@ -303,8 +313,10 @@ Projection project_in(const Particles& particles, const RowSource& source, const
       break;
     }
     out.left = left;
+    if (getenv("PDEBUG")) fprintf(stderr,"  newton left %.2e its %d\n",out.left,out.iterations);
   }
-  if (!(out.left <= std::min(good, first))) return out;
+  if (getenv("PDEBUG")) fprintf(stderr,"projection n=%zu left %.2e its %d\n",pairs.size(),out.left,out.iterations);
+  if (!(out.left <= 0.1 * first)) return out;
   out.rows = stored_rows(pairs.rows());
   out.adjoint = stored_rows(pairs.adjoint());
   return out;
