@@ -9,7 +9,10 @@
 #include "model/motion/vectors.hpp"
 #include "model/numerics/array.hpp"
 #include "model/numerics/least_squares.hpp"
+#include "model/scene/structured_shapes.hpp"
 #include "sph/partial_volumes.hpp"
+#include "sph/cell_list.hpp"
+#include "sph/side_areas.hpp"
 
 namespace femsph::sph {
 
@@ -73,6 +76,35 @@ std::array<Point, 4> corner_areas(const Particles& p, const Facet& f) {
       const double N[4] = {(1 - s) * (1 - t), s * (1 - t), s * t, (1 - s) * t};
       for (int k = 0; k < 4; ++k) out[std::size_t(k)] = out[std::size_t(k)] + N[k] * area;
     }
+  return out;
+}
+
+/// The facets of the particles' boundary all of whose corners lie on a side, as pieces.
+std::vector<SidePiece> facets_on(const ParticleBody& body, const Shape& shape, const std::string& side, double spacing) {
+  std::vector<SidePiece> out;
+  const std::size_t corners = 2 * std::size_t(body.layout().dim - 1);
+  for (const Facet& f : body.boundary()) {
+    const auto x = [&](std::size_t k) { return body.position(f.points[k]); };
+    Point at{};
+    bool on = true;
+    for (std::size_t k = 0; k < corners; ++k) on = on && shape.on_side(side, x(k), 1e-6 * spacing), at = at + (1.0 / double(corners)) * x(k);
+    if (!on) continue;
+    const Point area = corners == 2 ? Point{x(1)[1] - x(0)[1], x(0)[0] - x(1)[0], 0} : 0.5 * cross(x(2) - x(0), x(3) - x(1));
+    out.push_back({at, norm(area), area});
+  }
+  return out;
+}
+
+/// Every side of a shape that a lattice fills in steps, once.
+std::vector<SidePiece> whole_boundary(const ParticleBody& body, const Shape& shape, double size, double spacing) {
+  if (const CellMesh* mesh = shape.cells()) return free_sides(*mesh, size);
+  std::vector<SidePiece> out;
+  const bool named_all = dynamic_cast<const Quadrilateral*>(&shape);
+  for (const std::string& side : shape.sides()) {
+    std::vector<SidePiece> pieces = shape.side_pieces(side, size);
+    if (pieces.empty() && !named_all) pieces = facets_on(body, shape, side, spacing);
+    out.insert(out.end(), pieces.begin(), pieces.end());
+  }
   return out;
 }
 
@@ -149,9 +181,38 @@ std::vector<Weight> ParticleBody::points_of(const Place& place) const {
 std::vector<PointArea> ParticleBody::outward_areas(const Place& place) const {
   std::vector<PointArea> out;
   const double size = 0.2 * particles_.spacing;
-  if (steps_ && place.sides.size() == 1)
-    for (const SidePiece& piece : shape_->side_pieces(place.sides[0], size))
-      if (dot(piece.area, piece.area) > 0 && (!place.within || place.within->contains(piece.at, 0.0))) share_out(piece, out);
+  if (steps_ && place.sides.size() == 1) {
+    std::vector<SidePiece> mine = shape_->side_pieces(place.sides[0], size);
+    const bool own_operator = options_.formulation == Formulation::corrected && options_.mass == MassRule::trapezoid;
+    if (mine.empty() && own_operator) mine = facets_on(*this, *shape_, place.sides[0], particles_.spacing);
+    const auto counts = [&](const SidePiece& piece) { return dot(piece.area, piece.area) > 0 && (!place.within || place.within->contains(piece.at, 0.0)); };
+    for (const SidePiece& piece : mine)
+      if (counts(piece)) share_out(piece, out);
+    if (own_operator && !out.empty()) {  // side_areas.hpp
+      const Kernel kernel(options_.kernel, particles_.dim, options_.smoothing * particles_.spacing);
+      std::vector<Point> left = operator_areas(particles_, kernel, options_);
+      std::vector<SidePiece> all = whole_boundary(*this, *shape_, size, particles_.spacing);
+      std::vector<PointArea> hats;
+      for (const SidePiece& piece : all) share_out(piece, hats);
+      for (const PointArea& part : hats) left[part.point] = left[part.point] - part.area;
+      const double tolerance = 1e-6 * particles_.spacing;
+      std::vector<Point> places;
+      std::erase_if(mine, [&](const SidePiece& piece) { return !counts(piece); });
+      for (const SidePiece& piece : mine) places.push_back(piece.at);
+      const CellList known(places, particles_.dim, size);
+      std::erase_if(all, [&](const SidePiece& piece) {
+        bool same = false;
+        known.around(piece.at, [&](int k) { same = same || norm(places[std::size_t(k)] - piece.at) < tolerance; });
+        return same;
+      });
+      const std::vector<double> share = nearest_to(particles_, mine, all, 2 * kernel.radius());
+      Point sum{};
+      double size_of_all = 0;
+      for (std::size_t i = 0; i < share.size(); ++i) sum = sum + share[i] * left[i], size_of_all += share[i] * norm(left[i]);
+      for (std::size_t i = 0; i < share.size() && norm(sum) < 1e-9 * size_of_all; ++i)
+        if (share[i] > 0) out.push_back({i, share[i] * left[i]});
+    }
+  }
   if (!out.empty() || particles_.cells.empty()) return out.empty() ? Discretization::outward_areas(place) : out;
   std::vector<char> there(particles_.size(), 0);
   for (const Weight& w : points_of(place)) there[w.point] = 1;

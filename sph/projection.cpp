@@ -313,9 +313,7 @@ Projection project_in(const Particles& particles, const RowSource& source, const
       break;
     }
     out.left = left;
-    if (getenv("PDEBUG")) fprintf(stderr,"  newton left %.2e its %d\n",out.left,out.iterations);
   }
-  if (getenv("PDEBUG")) fprintf(stderr,"projection n=%zu left %.2e its %d\n",pairs.size(),out.left,out.iterations);
   if (!(out.left <= 0.1 * first)) return out;
   out.rows = stored_rows(pairs.rows());
   out.adjoint = stored_rows(pairs.adjoint());
