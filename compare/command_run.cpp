@@ -48,6 +48,8 @@ void refuse_idle(const RunCommand& c, const Method& method) {
   refuse(c.dilatation.has_value(), "dilatation");
   refuse(!c.viscosity.empty(), "viscosity");
   refuse(c.hourglass.has_value(), "hourglass");
+  if (const std::string why = why_idle(method, "projection"); !c.projection && !why.empty())
+    throw BadCommand(fmt::format("--no-projection does nothing with {}: {}", method.name, why));
 }
 
 void set_sph_options(sph::Options& o, const RunCommand& c) {
@@ -59,6 +61,7 @@ void set_sph_options(sph::Options& o, const RunCommand& c) {
   if (!c.viscosity.empty())
     o.viscosity = {in_range("--viscosity", "alpha", c.viscosity[0]), in_range("--viscosity", "beta", c.viscosity[1]), in_range("--viscosity", "gamma", c.viscosity[2])};
   if (c.hourglass) o.hourglass = in_range("--hourglass", "hourglass", *c.hourglass);
+  o.projection = c.projection;
 }
 
 }  // namespace

@@ -22,6 +22,7 @@ struct RunCommand {
   std::optional<std::string> kernel, mass, kernel_volume, dilatation;
   std::vector<double> viscosity;  ///< alpha, beta, gamma
   std::optional<double> hourglass;
+  bool projection = true;
   double safety = 0.9;
   int threads = 1;
   std::string out;

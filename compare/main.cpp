@@ -42,6 +42,7 @@ void add_method_options(CLI::App* command, RunCommand& c) {
                       "automatic (default: mean where Poisson's ratio is above 0.4 or the material is plastic, except in plane stress)");
   command->add_option("--viscosity", c.viscosity, "classic SPH: alpha,beta,gamma of the artificial viscosity (eq. 5)")->delimiter(',')->expected(3);
   command->add_option("--hourglass", c.hourglass, "coefficient of the hourglass control, 0 to 10: sph-corrected; fem-one-point takes Flanagan and Belytschko's control by it, instead of its physical stabilization");
+  command->add_flag("!--no-projection", c.projection, "sph-corrected: leave the weights of scattered particles as the kernel has them; a uniform stress is then not exact");
   command->add_option("--safety", c.safety, "step = safety x critical step; above 0, up to 1")->capture_default_str();
   command->add_option("--threads", c.threads, "threads of every loop, up to 512")->capture_default_str();
 }

@@ -53,6 +53,7 @@ void Overrides::apply(Method& method) const {
   set(kernel_volume, sph.kernel_volume);
   set(dilatation, sph.dilatation);
   set(boundary, sph.boundary);
+  set(projection, sph.projection);
   set(alpha, sph.viscosity.alpha);
   set(beta, sph.viscosity.beta);
   set(gamma, sph.viscosity.gamma);
@@ -71,6 +72,7 @@ std::string Overrides::describe() const {
   if (kernel_volume) text += " kernel_volume=" + word_of(kernel_volume_words, *kernel_volume);
   if (dilatation) text += " dilatation=" + word_of(dilatation_words, *dilatation);
   if (boundary) text += " boundary=" + word_of(boundaries, *boundary);
+  if (projection) text += fmt::format(" projection={}", *projection);
   number("alpha", alpha);
   number("beta", beta);
   number("gamma", gamma);
@@ -98,6 +100,7 @@ std::string why_idle(const Method& method, const std::string& option) {
   const bool classic = std::get<sph::Options>(method.options).formulation == sph::Formulation::classic;
   if (option == "distortion") return "it is an option of FEM";
   if (option == "hourglass" && classic) return "classic SPH has no hourglass control";
+  if (option == "projection" && classic) return "it belongs to corrected SPH";
   const bool viscosity = option == "viscosity" || option == "alpha" || option == "beta" || option == "gamma";
   if ((option == "kernel_volume" || option == "dilatation") && classic) return "it belongs to corrected SPH";
   if ((viscosity || option == "boundary") && !classic) return "it belongs to classic SPH";
@@ -117,13 +120,14 @@ Overrides read_overrides(Fields& options, const std::vector<Method>& methods) {
     read.kernel_volume = options.choice("kernel_volume", Need::optional, kernel_volume_words);
     read.dilatation = options.choice("dilatation", Need::optional, dilatation_words);
     read.boundary = options.choice("boundary", Need::optional, boundaries);
+    read.projection = options.flag("projection", Need::optional);
     read.alpha = read_number(options, "alpha");
     read.beta = read_number(options, "beta");
     read.gamma = read_number(options, "gamma");
     read.jitter = read_number(options, "jitter");
   }
   options.done();
-  for (const std::string key : {"hourglass", "boundary", "kernel_volume", "dilatation", "alpha", "beta", "gamma"}) {
+  for (const std::string key : {"hourglass", "boundary", "kernel_volume", "dilatation", "projection", "alpha", "beta", "gamma"}) {
     if (!options.has(key.c_str()) || (any_fem && key != "hourglass")) continue;
     for (const Method& method : methods)
       if (const std::string why = why_idle(method, key); !why.empty()) {

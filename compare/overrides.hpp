@@ -13,6 +13,7 @@ struct Overrides {
   std::optional<sph::Boundary> boundary;
   std::optional<sph::KernelVolume> kernel_volume;
   std::optional<sph::Dilatation> dilatation;
+  std::optional<bool> projection;
 
   void apply(Method& method) const;
   /// " smoothing=1.2 alpha=5", to tell a changed method from the plain one in tables; empty if nothing is changed.
@@ -38,7 +39,7 @@ extern const Words<sph::MassRule> mass_words;
 extern const Words<sph::KernelVolume> kernel_volume_words;
 extern const Words<sph::Dilatation> dilatation_words;
 
-/// Why an option (by its name above, or viscosity, kernel, mass, boundary, kernel_volume, dilatation) does nothing with this method: "hourglass control belongs to ..";
+/// Why an option (by its name above, or viscosity, kernel, mass, boundary, kernel_volume, dilatation, projection) does nothing with this method: "hourglass control belongs to ..";
 /// empty where it does something.
 std::string why_idle(const Method& method, const std::string& option);
 

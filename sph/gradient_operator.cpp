@@ -4,11 +4,41 @@
 
 #include <stdexcept>
 
+#include "model/motion/vectors.hpp"
+#include "sph/projection.hpp"
+
 namespace femsph::sph {
 
 std::unique_ptr<RowSource> rows_of(const Particles& particles, const Kernel& kernel, const Options& options) {
   if (options.boundary == Boundary::virtual_particles) return virtual_rows(particles, kernel);
   return particles.regular ? lattice_rows(particles, kernel) : search_rows(particles, kernel);
+}
+
+OperatorRows operator_rows(const Particles& particles, const Kernel& kernel, const Options& options, const std::vector<Point>& area) {
+  OperatorRows out{rows_of(particles, kernel, options), {}, false, 1, {}};
+  if (options.boundary == Boundary::virtual_particles) out.adjoint = transposed_rows(particles, *out.rows);
+  if (area.empty()) return out;
+  // sum x . a = dim V of what the facets enclose, and that the stress must fill.
+  double enclosed = 0, volume = 0;
+  for (std::size_t i = 0; i < area.size(); ++i) enclosed += dot(particles.position[i], area[i]) / particles.dim, volume += particles.own_volume(i);
+  const double fill = enclosed / volume;
+  std::vector<double> filled = particles.volume;
+  for (double& v : filled) v *= fill;
+  // In the body with its images; across a symmetry plane nothing is asked for.
+  std::vector<Point> whole = area;
+  for (std::size_t i = 0; i < area.size(); ++i) {
+    whole[i] = (1 / particles.part[i]) * area[i];
+    for (const MirrorPlane& m : particles.planes)
+      if (std::abs(particles.position[i][m.axis] - m.at) < 1e-6 * particles.spacing) whole[i][std::size_t(m.axis)] = 0;
+  }
+  Projection made = project(particles, *out.rows, whole, filled);
+  if (!made.rows || made.left > 1e-3)
+    out.note = fmt::format("a uniform stress is in balance with its tractions to {:.1g} % of them only{}; more neighbours may help: a larger smoothing length",
+                           100 * made.left, made.rows ? "" : ", as no weights were found that would make it exact");
+  if (!made.rows) return out;
+  out.rows = std::move(made.rows), out.adjoint = std::move(made.adjoint);
+  out.projected = true, out.fill = fill;
+  return out;
 }
 
 Tensor<double, 3> correction_of(const Particles& particles, std::size_t particle, const RowSource& rows, const Row& row, Boundary boundary) {

@@ -17,6 +17,16 @@ enum class Correction { none, matrix, matrix_and_hourglass, hourglass_and_mean_d
 
 std::unique_ptr<RowSource> rows_of(const Particles& particles, const Kernel& kernel, const Options& options);
 
+struct OperatorRows {
+  std::unique_ptr<RowSource> rows;
+  std::unique_ptr<RowSource> adjoint;  ///< where they are not symmetric: virtual particles, projection
+  bool projected = false;
+  double fill = 1;   ///< of V_i that the stress fills: cells with straight sides stand for somewhat less than a round body
+  std::string note;  ///< what the user should know; empty: nothing
+};
+/// `area`: area vectors that a uniform stress must meet (projection.hpp), one a particle of the body, its symmetry planes included; empty: as they come.
+OperatorRows operator_rows(const Particles& particles, const Kernel& kernel, const Options& options, const std::vector<Point>& area);
+
 /// B of a particle whose row is `row`. With Boundary::weight (fig. 3b of the paper) the row's weights grow so that the kernel sums to one.
 /// Throws std::runtime_error if it has too few neighbours.
 Tensor<double, 3> correction_of(const Particles& particles, std::size_t particle, const RowSource& rows, const Row& row, Boundary boundary);
@@ -26,15 +36,17 @@ class GradientOperator {
   static constexpr int n_symmetric = symmetric_size<dim>;
 
  public:
-  GradientOperator(const Particles& particles, const Kernel& kernel, const Options& options, double thickness)
-      : GradientOperator(particles, *rows_of(particles, kernel, options), options.boundary, thickness) {}
+  GradientOperator(const Particles& particles, const Kernel& kernel, const Options& options, double thickness, const std::vector<Point>& area)
+      : GradientOperator(particles, operator_rows(particles, kernel, options, area), options.boundary, thickness) {}
 
   std::size_t blocks() const { return stencils_.blocks(); }
   std::size_t bytes() const {
     return stencils_.bytes() + (adjoint_ ? adjoint_->bytes() : 0) + (s_.size() + v_.size() + k_.size() + part_.size() + b_.size()) * sizeof(double);
   }
   const Stencils& stencils() const { return stencils_; }
-  /// With thickness, m^3.
+  bool projected() const { return projected_; }
+  const std::string& note() const { return note_; }
+  /// Filled by the stress, with thickness, m^3.
   FEMSPH_INLINE Pack volume(std::size_t block) const { return load<Pack>(&v_[block * lanes]); }
   /// K_i, what the divergence and the hourglass control take for a volume, with thickness, m^3; V_i / K_i.
   FEMSPH_INLINE Pack kernel_volume(std::size_t block) const { return load<Pack>(&k_[block * lanes]); }
@@ -77,7 +89,9 @@ class GradientOperator {
   }
 
  private:
-  GradientOperator(const Particles& particles, const RowSource& rows, Boundary boundary, double thickness) : stencils_(rows, particles.size()) {
+  GradientOperator(const Particles& particles, OperatorRows&& made, Boundary boundary, double thickness)
+      : stencils_(*made.rows, particles.size()), projected_(made.projected), note_(std::move(made.note)) {
+    const RowSource& rows = *made.rows;
     const std::size_t n = particles.size(), padded = round_up(n, lanes);
     s_.assign(padded * dim, 0.0);
     v_.assign(padded, 0.0);
@@ -87,9 +101,9 @@ class GradientOperator {
     Row row;
     for (std::size_t i = 0; i < n; ++i) {
       rows.row(i, row);
-      v_[i] = particles.own_volume(i) * thickness;
+      v_[i] = particles.own_volume(i) * made.fill * thickness;
       k_[i] = particles.kernel_volume[i] * particles.part[i] * thickness;
-      part_[i] = particles.volume[i] / particles.kernel_volume[i];
+      part_[i] = particles.volume[i] * made.fill / particles.kernel_volume[i];
       for (const Neighbour& j : row)
         for (int a = 0; a < dim; ++a) s_[slot(i, a, dim)] += j.w[a];
       if constexpr (corrected) {
@@ -98,12 +112,14 @@ class GradientOperator {
           for (int c = a; c < dim; ++c) b_[slot(i, symmetric_index<dim>(a, c), n_symmetric)] = B[a][c];
       }
     }
-    if (boundary == Boundary::virtual_particles) adjoint_ = std::make_unique<Stencils>(*transposed_rows(particles, rows), n);
+    if (made.adjoint) adjoint_ = std::make_unique<Stencils>(*made.adjoint, n);
   }
   static std::size_t slot(std::size_t i, int component, int components) { return (i / lanes * components + component) * lanes + i % lanes; }
 
   Stencils stencils_;
-  std::unique_ptr<Stencils> adjoint_;   ///< its own rows where they differ: virtual particles
+  std::unique_ptr<Stencils> adjoint_;   ///< its own rows where they differ: virtual particles, projection
+  bool projected_;
+  std::string note_;
   AlignedVector<double> s_, v_, k_, part_, b_;  ///< S, V, K, V / K, B: [block][component][lane]
 };
 

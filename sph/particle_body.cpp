@@ -9,7 +9,10 @@
 #include "model/motion/vectors.hpp"
 #include "model/numerics/array.hpp"
 #include "model/numerics/least_squares.hpp"
+#include "model/scene/structured_shapes.hpp"
 #include "sph/partial_volumes.hpp"
+#include "sph/cell_list.hpp"
+#include "sph/side_areas.hpp"
 
 namespace femsph::sph {
 
@@ -56,6 +59,55 @@ void each_hat(const Particles& p, const Point& x, Take&& take) {
   }
 }
 
+/// What each corner of a facet has of its outward area, by the shape functions: a_k = integral of N_k n, so that sum x_k (x) a_k is the integral of x (x) n.
+/// Two Gauss points a direction are exact.
+std::array<Point, 4> corner_areas(const Particles& p, const Facet& f) {
+  const auto x = [&](int k) { return p.position[f.points[std::size_t(k)]]; };
+  if (p.dim == 2) {
+    const Point half = 0.5 * (x(1) - x(0)), area{half[1], -half[0], 0};  // the body lies to the left of 0 -> 1
+    return {area, area, {}, {}};
+  }
+  std::array<Point, 4> out{};
+  const double g[2] = {0.5 - 0.5 / std::sqrt(3.0), 0.5 + 0.5 / std::sqrt(3.0)};
+  for (const double s : g)
+    for (const double t : g) {
+      const Point along = (1 - t) * (x(1) - x(0)) + t * (x(2) - x(3)), across = (1 - s) * (x(3) - x(0)) + s * (x(2) - x(1));
+      const Point area = 0.25 * cross(along, across);
+      const double N[4] = {(1 - s) * (1 - t), s * (1 - t), s * t, (1 - s) * t};
+      for (int k = 0; k < 4; ++k) out[std::size_t(k)] = out[std::size_t(k)] + N[k] * area;
+    }
+  return out;
+}
+
+/// The facets of the particles' boundary all of whose corners lie on a side, as pieces.
+std::vector<SidePiece> facets_on(const ParticleBody& body, const Shape& shape, const std::string& side, double spacing) {
+  std::vector<SidePiece> out;
+  const std::size_t corners = 2 * std::size_t(body.layout().dim - 1);
+  for (const Facet& f : body.boundary()) {
+    const auto x = [&](std::size_t k) { return body.position(f.points[k]); };
+    Point at{};
+    bool on = true;
+    for (std::size_t k = 0; k < corners; ++k) on = on && shape.on_side(side, x(k), 1e-6 * spacing), at = at + (1.0 / double(corners)) * x(k);
+    if (!on) continue;
+    const Point area = corners == 2 ? Point{x(1)[1] - x(0)[1], x(0)[0] - x(1)[0], 0} : 0.5 * cross(x(2) - x(0), x(3) - x(1));
+    out.push_back({at, norm(area), area});
+  }
+  return out;
+}
+
+/// Every side of a shape that a lattice fills in steps, once.
+std::vector<SidePiece> whole_boundary(const ParticleBody& body, const Shape& shape, double size, double spacing) {
+  if (const CellMesh* mesh = shape.cells()) return free_sides(*mesh, size);
+  std::vector<SidePiece> out;
+  const bool named_all = dynamic_cast<const Quadrilateral*>(&shape);
+  for (const std::string& side : shape.sides()) {
+    std::vector<SidePiece> pieces = shape.side_pieces(side, size);
+    if (pieces.empty() && !named_all) pieces = facets_on(body, shape, side, spacing);
+    out.insert(out.end(), pieces.begin(), pieces.end());
+  }
+  return out;
+}
+
 }  // namespace
 
 ParticleBody::ParticleBody(const Scene& scene, std::size_t body, const Options& options, Particles particles, const Kernel& kernel)
@@ -91,7 +143,9 @@ std::size_t ParticleBody::bytes() const {
 }
 
 std::vector<std::string> ParticleBody::warnings() const {
-  return particles_.note.empty() ? std::vector<std::string>{} : std::vector<std::string>{particles_.note};
+  std::vector<std::string> out = warnings_;
+  if (!particles_.note.empty()) out.insert(out.begin(), particles_.note);
+  return out;
 }
 
 /// A lattice has particles outside of the body too; none of these is on a side that the lattice meets.
@@ -127,11 +181,58 @@ std::vector<Weight> ParticleBody::points_of(const Place& place) const {
 std::vector<PointArea> ParticleBody::outward_areas(const Place& place) const {
   std::vector<PointArea> out;
   const double size = 0.2 * particles_.spacing;
-  if (steps_ && place.sides.size() == 1)
-    for (const SidePiece& piece : shape_->side_pieces(place.sides[0], size))
-      if (dot(piece.area, piece.area) > 0 && (!place.within || place.within->contains(piece.at, 0.0))) share_out(piece, out);
-  if (!out.empty()) return out;
-  return Discretization::outward_areas(place);
+  if (steps_ && place.sides.size() == 1) {
+    std::vector<SidePiece> mine = shape_->side_pieces(place.sides[0], size);
+    const bool own_operator = options_.formulation == Formulation::corrected && options_.mass == MassRule::trapezoid;
+    if (mine.empty() && own_operator) mine = facets_on(*this, *shape_, place.sides[0], particles_.spacing);
+    const auto counts = [&](const SidePiece& piece) { return dot(piece.area, piece.area) > 0 && (!place.within || place.within->contains(piece.at, 0.0)); };
+    for (const SidePiece& piece : mine)
+      if (counts(piece)) share_out(piece, out);
+    if (own_operator && !out.empty()) {  // side_areas.hpp
+      const Kernel kernel(options_.kernel, particles_.dim, options_.smoothing * particles_.spacing);
+      std::vector<Point> left = operator_areas(particles_, kernel, options_);
+      std::vector<SidePiece> all = whole_boundary(*this, *shape_, size, particles_.spacing);
+      std::vector<PointArea> hats;
+      for (const SidePiece& piece : all) share_out(piece, hats);
+      for (const PointArea& part : hats) left[part.point] = left[part.point] - part.area;
+      const double tolerance = 1e-6 * particles_.spacing;
+      std::vector<Point> places;
+      std::erase_if(mine, [&](const SidePiece& piece) { return !counts(piece); });
+      for (const SidePiece& piece : mine) places.push_back(piece.at);
+      const CellList known(places, particles_.dim, size);
+      std::erase_if(all, [&](const SidePiece& piece) {
+        bool same = false;
+        known.around(piece.at, [&](int k) { same = same || norm(places[std::size_t(k)] - piece.at) < tolerance; });
+        return same;
+      });
+      const std::vector<double> share = nearest_to(particles_, mine, all, 2 * kernel.radius());
+      Point sum{};
+      double size_of_all = 0;
+      for (std::size_t i = 0; i < share.size(); ++i) sum = sum + share[i] * left[i], size_of_all += share[i] * norm(left[i]);
+      for (std::size_t i = 0; i < share.size() && norm(sum) < 1e-9 * size_of_all; ++i)
+        if (share[i] > 0) out.push_back({i, share[i] * left[i]});
+    }
+  }
+  if (!out.empty() || particles_.cells.empty()) return out.empty() ? Discretization::outward_areas(place) : out;
+  std::vector<char> there(particles_.size(), 0);
+  for (const Weight& w : points_of(place)) there[w.point] = 1;
+  const int corners = 2 * (particles_.dim - 1);
+  for (const Facet& f : boundary()) {
+    if (!std::all_of(f.points.begin(), f.points.begin() + corners, [&](std::size_t p) { return there[p]; })) continue;
+    const auto area = corner_areas(particles_, f);
+    for (std::size_t k = 0; k < std::size_t(corners); ++k) out.push_back({f.points[k], area[k]});
+  }
+  return out;
+}
+
+std::vector<Point> ParticleBody::uniform_stress_areas() const {
+  if (!options_.projection || options_.formulation != Formulation::corrected || options_.mass != MassRule::trapezoid || particles_.regular || steps_) return {};
+  std::vector<Point> out(particles_.size(), Point{});
+  for (const Facet& f : boundary()) {
+    const auto area = corner_areas(particles_, f);
+    for (std::size_t k = 0; k < std::size_t(2 * (particles_.dim - 1)); ++k) out[f.points[k]] = out[f.points[k]] + area[k];
+  }
+  return out;
 }
 
 /// By the hat functions of the lattice, so that force and moment are those of the piece; see partial_volumes.hpp.
@@ -205,7 +306,7 @@ std::size_t ParticleBody::owner_of(const Point& x) const {
   return nearest;
 }
 
-/// The area of the facets between the points of a fitted body's side, in equal parts to these.
+/// The area of the facets between the points of a fitted body's side, as their shape functions share it.
 void ParticleBody::weigh_by_area(std::vector<Weight>& points) const {
   std::vector<double> area(particles_.size(), 0.0);
   std::vector<char> there(particles_.size(), 0);
@@ -213,9 +314,8 @@ void ParticleBody::weigh_by_area(std::vector<Weight>& points) const {
   const int corners = 2 * (particles_.dim - 1);
   for (const Facet& f : boundary()) {
     if (!std::all_of(f.points.begin(), f.points.begin() + corners, [&](std::size_t p) { return there[p]; })) continue;
-    const auto& x = particles_.position;
-    const Point vector = particles_.dim == 2 ? x[f.points[1]] - x[f.points[0]] : 0.5 * cross(x[f.points[2]] - x[f.points[0]], x[f.points[3]] - x[f.points[1]]);
-    for (int k = 0; k < corners; ++k) area[f.points[std::size_t(k)]] += norm(vector) / corners;
+    const auto parts = corner_areas(particles_, f);
+    for (std::size_t k = 0; k < std::size_t(corners); ++k) area[f.points[k]] += norm(parts[k]);
   }
   if (std::any_of(points.begin(), points.end(), [&](const Weight& w) { return area[w.point] == 0; })) return;  // an inner side, or one without area
   for (Weight& w : points) w.weight = area[w.point];

@@ -52,6 +52,10 @@ class ParticleBody : public Discretization {
   Point place_now(std::size_t particle, const double* u) const;  ///< m, in the deformed body
   /// What to say if a particle's det F is not positive.
   std::optional<Trouble> inside_out(const AlignedVector<double>& det, const double* u) const;
+  /// What a uniform stress must be in balance with: the areas of boundary() at their corners. Empty where the weights are not made so: on lattices, which are
+  /// right by themselves, where sides cut the lattice, in classic SPH, and if the options say so.
+  std::vector<Point> uniform_stress_areas() const;
+  std::vector<std::string> warnings_;
   Options options_;
   Particles particles_;
   std::shared_ptr<const Shape> shape_;

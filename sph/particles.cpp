@@ -188,6 +188,7 @@ void set_kernel_volumes(Particles& p, KernelVolume kind) {
 
 void add_mirrored(Particles& p, const std::vector<MirrorPlane>& planes, double radius) {
   if (planes.empty()) return;
+  p.planes = planes;
   Lattice& lattice = p.lattice;
   const std::array<int, 3> count = lattice.count;
   for (const MirrorPlane& m : planes) {

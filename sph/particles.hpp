@@ -48,6 +48,7 @@ struct Particles {
   std::vector<double> kernel_volume;  ///< of a neighbour in kernel sums, m^dim: V_i, or V_i / f_i (set_kernel_volumes)
   std::vector<double> part;         ///< of V_i that belongs to the body: 1/2 on a symmetry plane, 1/4 on two, else 1
   std::vector<Mirrored> mirrored;   ///< the last of `position`
+  std::vector<MirrorPlane> planes;  ///< that these are mirrored in
   Lattice lattice;
   std::vector<std::array<int, 8>> cells;  ///< of a fitted body in place of the lattice: the particles are their corners (lexicographic)
   std::string note;                 ///< what the user should know of the filling; empty: nothing

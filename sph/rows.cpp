@@ -158,6 +158,8 @@ std::unique_ptr<RowSource> lattice_rows(const Particles& particles, const Kernel
 std::unique_ptr<RowSource> virtual_rows(const Particles& particles, const Kernel& kernel) { return std::make_unique<VirtualRows>(particles, kernel); }
 std::unique_ptr<RowSource> search_rows(const Particles& particles, const Kernel& kernel) { return std::make_unique<SearchRows>(particles, kernel); }
 
+std::unique_ptr<RowSource> stored_rows(std::vector<Row> rows) { return std::make_unique<StoredRows>(std::move(rows)); }
+
 std::unique_ptr<RowSource> transposed_rows(const Particles& particles, const RowSource& rows) {
   std::vector<Row> out(particles.size());
   Row row;

@@ -38,6 +38,9 @@ std::unique_ptr<RowSource> virtual_rows(const Particles& particles, const Kernel
 /// Rows of particles anywhere, by a cell list.
 std::unique_ptr<RowSource> search_rows(const Particles& particles, const Kernel& kernel);
 
+/// Rows made beforehand.
+std::unique_ptr<RowSource> stored_rows(std::vector<Row> rows);
+
 /// Adjoint rows a_ij of rows that are not symmetric (virtual particles). Holds all rows at once.
 std::unique_ptr<RowSource> transposed_rows(const Particles& particles, const RowSource& rows);
 

@@ -36,6 +36,7 @@ struct Options {
   Boundary boundary = Boundary::none;
   KernelVolume kernel_volume = KernelVolume::whole;  ///< corrected only; classic takes its own
   Dilatation dilatation = Dilatation::automatic;
+  bool projection = true;                            ///< corrected on scattered particles: weights made so that a uniform stress is exact (projection.hpp)
   Viscosity viscosity;
   double hourglass = 0.03;    ///< coefficient of the hourglass control of the corrected formulation
   double jitter = 0;          ///< particles moved at random by up to this share of d (tests; neighbour-list path)

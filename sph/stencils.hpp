@@ -261,6 +261,26 @@ class ListStencils {
   void each_index(std::size_t block, Take&& take) const {
     for (std::size_t k = begin_[block] * lanes; k < begin_[block + 1] * lanes; ++k) take(std::size_t(index_[k]));
   }
+  /// sum_j scale_ij |H x_ij - u_ij|^2 where what is stored as scale is the symmetric mean of two (projection.hpp): w tells it, and the places.
+  Pack misfit(std::size_t block, const std::vector<Point>& position, const double* u, std::size_t stride, const Tensor<Pack, dim>& H) const {
+    Pack sum{};
+    std::size_t k = begin_[block];
+    each(block, u, stride, [&](const Pack(&difference)[dim], const Pack(&w)[dim], const Pack&) {
+      for (int l = 0; l < lanes; ++l) {
+        const Point &to = position[std::size_t(index_[k * lanes + std::size_t(l)])], &from = position[std::min(block * lanes + std::size_t(l), position.size() - 1)];
+        double along = 0, far = 0, square = 0;
+        for (int r = 0; r < dim; ++r) {
+          double off = -difference[r][l];
+          for (int c = 0; c < dim; ++c) off += H[r][c][l] * (to[c] - from[c]);
+          square += off * off;
+          along += w[r][l] * (to[r] - from[r]), far += (to[r] - from[r]) * (to[r] - from[r]);
+        }
+        if (far > 0) sum[l] += along / far * square;
+      }
+      ++k;
+    });
+    return sum;
+  }
 
  private:
   FEMSPH_INLINE static Pack gather(const double* p, const std::int32_t* index) {

@@ -24,7 +24,8 @@ class TotalLagrangian final : public ParticleBody {
 
  public:
   TotalLagrangian(const Scene& scene, std::size_t body, const Options& options, Particles particles, const Kernel& kernel, const LawType& law)
-      : ParticleBody(scene, body, options, std::move(particles), kernel), law_(law), operator_(particles_, kernel, options, thickness_) {
+      : ParticleBody(scene, body, options, std::move(particles), kernel), law_(law), operator_(particles_, kernel, options, thickness_, uniform_stress_areas()) {
+    if (!operator_.note().empty()) warnings_.push_back(operator_.note());
     q_.assign(stride() * dim * dim, 0.0);
     if constexpr (hourglass) l_.assign(blocks() * lanes * dim, 0.0);
     if constexpr (mean) {

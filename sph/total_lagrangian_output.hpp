@@ -39,6 +39,8 @@ Energies TotalLagrangian<dim, Stencils, Kinematics, LawType, correction>::energi
 template <int dim, class Stencils, class Kinematics, class LawType, Correction correction>
 Pack TotalLagrangian<dim, Stencils, Kinematics, LawType, correction>::misfit(std::size_t block, const double* u, const Tensor<Pack, dim>& H) const {
   Pack sum{};
+  if constexpr (requires { operator_.stencils().misfit(block, particles_.position, u, stride(), H); })
+    if (operator_.projected()) return operator_.stencils().misfit(block, particles_.position, u + first(block), stride(), H);
   operator_.stencils().each(block, u + first(block), stride(), [&](const Pack(&difference)[dim], const Pack(&w)[dim], const Pack& scale) {
     const Pack there = select(scale > 0.0, scale, broadcast<Pack>(1.0));
     Pack square{};

@@ -69,7 +69,9 @@ TEST(Fitted, AQuarterIsTheWhole) {
   Scene quarter = scene_of(ring(Round::Part::quarter), Plane::strain);
   for (const char* side : {"x-", "y-"}) quarter.symmetries.push_back({Place{0, {side}, {}, {}}});
   // The whole's spacing is that of its bounding box, twice as long: the same cells.
-  const auto whole = sph::discretize(scene_of(ring(Round::Part::whole), Plane::strain), 0, options(0.02)), part = sph::discretize(quarter, 0, options(0.02));
+  sph::Options plain = options(0.02);
+  plain.projection = false;  // what is iterated agrees less well: Projection.AQuarterIsTheWhole
+  const auto whole = sph::discretize(scene_of(ring(Round::Part::whole), Plane::strain), 0, plain), part = sph::discretize(quarter, 0, plain);
   EXPECT_NEAR(4 * std::accumulate(part->mass().begin(), part->mass().end(), 0.0), std::accumulate(whole->mass().begin(), whole->mass().end(), 0.0), 1e-9);
   const auto field = [](const Discretization& d) {  // even across both planes
     AlignedVector<double> u(d.layout().size, 0.0);

@@ -131,7 +131,7 @@ TEST(SphOperator, MomentumIsKeptToRoundOff) {
 TEST(SphOperator, LatticeAndListsAgreeWithAllPairs) {
   for (Variant v : variants()) {
     if (v.options.boundary != sph::Boundary::none) continue;
-    v.options.hourglass = 0;
+    v.options.hourglass = 0, v.options.projection = false;
     const Scene scene = box_scene(v.plane, size_for(v.plane));
     const auto packed = sph::discretize(scene, 0, v.options);
     v.options.force_lists = true;

@@ -32,6 +32,9 @@ AlignedVector<double> plain_force(const Scene& scene, const sph::Options& option
   const sph::Kernel kernel(options.kernel, dim, options.smoothing * d.spacing());
   const double thickness = scene.bodies[0].thickness, density = law.density;
   const auto volume = [&](std::size_t i) { return d.mass()[i] / density / thickness; };
+  // A box filled by a lattice: a neighbour counts with its whole cell in the kernel sums, where it is asked to.
+  const bool whole = options.formulation == sph::Formulation::corrected && options.kernel_volume == sph::KernelVolume::whole;
+  const auto kernel_volume = [&](std::size_t j) { return whole ? std::pow(d.spacing(), dim) : volume(j); };
   const auto gradient = [&](std::size_t i, std::size_t j, double (&g)[3], double (&x)[3]) {
     double r2 = 0;
     for (int c = 0; c < 3; ++c) x[c] = d.position(j)[c] - d.position(i)[c], r2 += x[c] * x[c];
@@ -47,8 +50,8 @@ AlignedVector<double> plain_force(const Scene& scene, const sph::Options& option
       if (j == i || !gradient(i, j, g, x)) continue;
       for (int r = 0; r < dim; ++r)
         for (int c = 0; c < dim; ++c) {
-          H.a[r][c] += volume(j) * (u[d.layout().at(j, r)] - u[d.layout().at(i, r)]) * g[c];
-          M.a[r][c] += volume(j) * g[r] * x[c];
+          H.a[r][c] += kernel_volume(j) * (u[d.layout().at(j, r)] - u[d.layout().at(i, r)]) * g[c];
+          M.a[r][c] += kernel_volume(j) * g[r] * x[c];
         }
     }
     Matrix B;
@@ -67,7 +70,7 @@ AlignedVector<double> plain_force(const Scene& scene, const sph::Options& option
       if (j == i || !gradient(i, j, g, x)) continue;
       for (int r = 0; r < dim; ++r)
         for (int c = 0; c < dim; ++c) {
-          const double part = volume(i) * thickness * Q.a[r][c] * volume(j) * g[c];
+          const double part = volume(i) * thickness * Q.a[r][c] * kernel_volume(j) * g[c];
           f[d.layout().at(j, r)] -= part;
           f[d.layout().at(i, r)] += part;
         }

@@ -76,8 +76,8 @@ inline AlignedVector<double> force(Discretization& d, const AlignedVector<double
   return f;
 }
 
-/// f_k = -sum_i V_i (s_i B_i) : d H_i / d u_k with H_i = sum_j V_j (u_j - u_i) (x) grad_i W_ij, small strain, all pairs; the correction
-/// B_i = (sum_j V_j grad W (x) x_ij)^-1 if `corrected`. Plane stress or 3D by the law. No hourglass control.
+/// f_k = -sum_i V_i (s_i B_i) : d H_i / d u_k with H_i = sum_j K_j (u_j - u_i) (x) grad_i W_ij, small strain, all pairs; if corrected with
+/// B_i = (sum_j K_j grad W (x) x_ij)^-1 and whole cells K = d^dim, else K = V. A box on a lattice. Plane stress or 3D by the law. No hourglass control, no projection.
 AlignedVector<double> plain_force(const Scene& scene, const sph::Options& options, const Discretization& d, const AlignedVector<double>& u);
 
 }  // namespace femsph::test
