@@ -6,6 +6,8 @@
 #include <fstream>
 #include <limits>
 
+#include "sph/discretize.hpp"
+
 namespace femsph::compare {
 
 namespace {
@@ -25,8 +27,13 @@ double bytes_of_unit(const Scene& scene, const Body& body, const Method& method)
   }
   const auto& options = std::get<sph::Options>(method.options);
   if (options.formulation == sph::Formulation::classic && scene.large_motion) return (dim == 2 ? 1500 : 2000) + remembered;
-  const double listed = options.jitter > 0 ? (dim == 2 ? 600 : 2200) * std::pow(options.smoothing / 1.2, dim) : 0.0;
-  return (dim == 2 ? 1000 : 1200) + listed + remembered;
+  const bool corrected = options.formulation == sph::Formulation::corrected, scattered = options.jitter > 0 || sph::is_fitted(*body.shape, options);
+  const double rows = scattered ? (dim == 2 ? 600 : 2200) * std::pow(options.smoothing / 1.2, dim) : 0.0;
+  const double projected = corrected && options.projection ? 2 : 1;  // the adjoint has rows of its own
+  const LinearElastic elastic = std::visit([](const auto& law) { return law.elastic(); }, scene.material_of(body).law(scene.plane));
+  const bool mean = corrected && sph::wants_mean_dilatation(options, elastic, plastic);
+  const double averaged = mean ? (dim == 2 ? 60 : 110) + (scattered ? dim == 2 ? 160 : 520 : 0) : 0;  // gradients, two values, their rows
+  return (dim == 2 ? 1000 : 1200) + projected * rows + averaged + remembered;
 }
 
 /// Cells or particles of a body: those of its bounding box, in proportion to its volume.
