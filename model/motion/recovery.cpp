@@ -1,5 +1,7 @@
 #include "model/motion/recovery.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -8,6 +10,7 @@
 #include "model/material/tension.hpp"
 #include "model/motion/principal.hpp"
 #include "model/motion/vectors.hpp"
+#include "model/scene/faults.hpp"
 
 namespace femsph {
 
@@ -211,6 +214,8 @@ void Recovery::look(Patch& patch, const Point& p, double radius, bool deviations
 Recovery::Patch Recovery::around(const Point& p, bool deviations) const {
   Patch patch, best;
   const std::size_t unit = nearest(p);
+  if (const Point z = scaled(factor(unit), centre_[unit], p); dot(z, z) > first_radius * first_radius)
+    throw Refusal(fmt::format("stress is read at ({:g}, {:g}, {:g}) m, where the body has no cell or particle within two spacings; take a finer spacing", p[0], p[1], p[2]));
   const auto& shape = units_.shape[units_.shape.size() > 1 ? unit : 0];
   patch.L = &factor(unit);
   for (std::size_t a = 0; a < 3; ++a) patch.reach[a] = std::sqrt(shape[a]);

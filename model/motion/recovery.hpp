@@ -26,7 +26,7 @@ class Recovery {
   /// Of one body. Throws std::logic_error if it has no units.
   explicit Recovery(MaterialUnits units);
 
-  /// Weights of material points for the value at p, by points; sum 1.
+  /// Weights of material points for the value at p, by points; sum 1. Throws Refusal if no unit is near.
   std::vector<Weight> weights(const Point& p) const;
   /// The same of units, for fields known by their means alone: without what varies within a cell.
   std::vector<Weight> unit_weights(const Point& p) const;

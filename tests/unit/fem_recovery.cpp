@@ -193,6 +193,23 @@ TEST(FemRecovery, SmoothWave) {
   }
 }
 
+/// Uniaxial stress that varies over the height alone, read on edges, faces and inside. Elements that bend have it exactly on bricks.
+TEST(FemRecovery, BendingInSpace) {
+  for (const Element element : all_of_them) {
+    const auto bending = [&](int n, double distortion) { return bending_in_space(*mesh_of(recovery_scene(square_bar(n, distortion), Plane::none), element)); };
+    const SpaceBending coarse = bending(4, 0), fine = bending(8, 0), rough = bending(8, 0.2);
+    EXPECT_LT(coarse.xx, 0.5);
+    EXPECT_LT(fine.xx, 0.2);
+    EXPECT_LT(coarse.any, 1.5);
+    EXPECT_LT(fine.any, 0.75);
+    EXPECT_LT(rough.xx, 1.2);
+    EXPECT_LT(rough.any, 2.5);
+    if (element == Element::one_point || element == Element::assumed_strain) {
+      EXPECT_LT(coarse.any, 1e-4);
+    }
+  }
+}
+
 /// Also in large motion, where laws speak of Kirchhoff's stress and the state of Cauchy's.
 TEST(FemRecovery, PointsKeepToTheirBounds) {
   for (const int dim : {2, 3})

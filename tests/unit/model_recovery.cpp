@@ -10,6 +10,7 @@
 #include "model/motion/recovery.hpp"
 #include "model/motion/principal.hpp"
 #include "model/motion/vectors.hpp"
+#include "model/scene/faults.hpp"
 
 namespace femsph::test {
 namespace {
@@ -111,6 +112,17 @@ TEST(Recovery, FindsTheNearestUnitByItsOwnMeasure) {
     for (const Weight& w : rule.weights({x, 3, 0})) value += w.weight * units.place[w.point][0], furthest = std::max(furthest, std::abs(units.place[w.point][0] - x));
     EXPECT_NEAR(value, x, 1e-12 * left);
     EXPECT_LT(furthest, 2 + 1.3 * x);
+  }
+}
+
+TEST(Recovery, RefusesWhatIsFarFromTheBody) {
+  const Recovery rule(cells(2, {4, 4, 1}, true));
+  EXPECT_NO_THROW(rule.weights({4.5, 2, 0}));
+  try {
+    rule.weights({6, 2, 0});
+    ADD_FAILURE();
+  } catch (const Refusal& e) {
+    EXPECT_STREQ(e.what(), "stress is read at (6, 2, 0) m, where the body has no cell or particle within two spacings; take a finer spacing");
   }
 }
 

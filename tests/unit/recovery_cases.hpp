@@ -284,6 +284,41 @@ inline PlasticErrors plastic_section_of(Discretization& d, double hardening = 0)
   return out;
 }
 
+/// A square bar in space, 1 x 1 in section and 3 long, bent about z: its ends moved as St Venant has them, its sides free. L2 of xx along an edge's line over the
+/// height, and the largest of all six components anywhere on the section, in percent of the largest stress.
+struct SpaceBending {
+  double xx, any;
+};
+inline SpaceBending bending_in_space(const Discretization& d) {
+  const auto exact = [](const Point& p) {
+    const double x = p[0] - 1.5, y = p[1] - 0.5, z = p[2] - 0.5;
+    return Point{x * y, -0.5 * (x * x + nu * (y * y - z * z)), -nu * y * z};
+  };
+  const auto given = [&](const Point& p) {
+    std::array<std::optional<double>, 3> u{};
+    if (p[0] > 1e-9 && p[0] < 3 - 1e-9) return u;
+    const Point at = exact(p);
+    return decltype(u){at[0], at[1], at[2]};
+  };
+  const Flat u = static_solution(d, given, Flat(d.layout().size, 0.0), 1e-8);
+  const Recovery rule(d.material_units());
+  SpaceBending out{};
+  double e = 0, size = 0;
+  for (int i = 0; i <= 10; ++i)
+    for (const double z : {0.0, 0.3, 1.0}) {
+      const Point p{1.55, i / 10.0, z};
+      auto s = read_at(d, rule, u, p, Plane::none).stress;
+      s[0] -= E * (p[1] - 0.5);
+      if (z == 0) e += s[0] * s[0], size += std::pow(E * (p[1] - 0.5), 2);
+      for (const double c : s) out.any = std::max(out.any, 100 * std::abs(c) / (0.5 * E));
+    }
+  out.xx = 100 * std::sqrt(e / size);
+  return out;
+}
+inline std::shared_ptr<const Shape> square_bar(int n, double distortion) {
+  return mapped(3, {3 * n, n, n}, [](Point p) { return Point{3 * p[0], p[1], p[2]}; }, distortion);
+}
+
 /// Laws whose bounds differ.
 inline std::vector<std::pair<const char*, Plasticity>> plastic_laws() {
   Plasticity metal, sign, principal, none, hot;

@@ -170,6 +170,15 @@ TEST(SphRecovery, PlasticBendingStaysOnTheYieldCurve) {
   }
 }
 
+/// Uniaxial stress that varies over the height alone, read on edges, faces and inside.
+TEST(SphRecovery, BendingInSpace) {
+  for (const int n : {4, 8}) {
+    const SpaceBending e = bending_in_space(*particles_of(recovery_scene(std::make_shared<Box>(3, Point{}, Point{3, 1, 1}), Plane::none), 1.0 / n, 0, 0.05));
+    EXPECT_LT(e.xx, 1.5);
+    EXPECT_LT(e.any, 4.5);
+  }
+}
+
 /// Also in large motion, where laws speak of Kirchhoff's stress and the state of Cauchy's.
 TEST(SphRecovery, PointsKeepToTheirBounds) {
   for (const int dim : {2, 3})
