@@ -220,8 +220,15 @@ std::shared_ptr<MeshShape> mesh_of_a_ball() {
 
 // Under one pressure all around a body that its lattice fills in steps holds the uniform stress exactly; the force and the moment of all its sides are zero.
 TEST(Projection, SidesThatCutALatticeHoldAUniformStress) {
+  const double turn = 0.4;
+  const auto turned = [&](double x, double y) { return Point{x * std::cos(turn) - y * std::sin(turn), x * std::sin(turn) + y * std::cos(turn), 0}; };
+  const std::array<Point, 4> corners{turned(0, 0), turned(0.2, 0), turned(0.2, 0.1), turned(0, 0.1)};
   const auto round = [](int dim, double inner) { return std::make_shared<Round>(dim, Round::Size{{}, inner, 0.1, dim == 3 ? 0.1 : 0, 2, Round::Part::whole}); };
   const std::vector<Body> bodies{{"disc", round(2, 0), 0.011},
+                                 {"ring", round(2, 0.05), 0.0085},
+                                 {"half ring", std::make_shared<Round>(2, Round::Size{{}, 0.05, 0.1, 0, 2, Round::Part::half}), 0.0085},
+                                 {"turned box", std::make_shared<Quadrilateral>(corners), 0.0125},
+                                 {"cylinder", round(3, 0), 0.02},
                                  {"mesh of a ball", mesh_of_a_ball(), 0.021}};
   for (const Body& b : bodies) {
     sph::Options o = corrected(b.spacing);
