@@ -5,13 +5,13 @@
 #include <algorithm>
 #include <cmath>
 #include <numeric>
+#include <set>
 
 #include "model/motion/vectors.hpp"
 #include "model/numerics/array.hpp"
 #include "model/numerics/least_squares.hpp"
 #include "model/scene/structured_shapes.hpp"
 #include "sph/partial_volumes.hpp"
-#include "sph/cell_list.hpp"
 #include "sph/side_areas.hpp"
 
 namespace femsph::sph {
@@ -79,33 +79,38 @@ std::array<Point, 4> corner_areas(const Particles& p, const Facet& f) {
   return out;
 }
 
-/// The facets of the particles' boundary all of whose corners lie on a side, as pieces.
-std::vector<SidePiece> facets_on(const ParticleBody& body, const Shape& shape, const std::string& side, double spacing) {
-  std::vector<SidePiece> out;
-  const std::size_t corners = 2 * std::size_t(body.layout().dim - 1);
-  for (const Facet& f : body.boundary()) {
-    const auto x = [&](std::size_t k) { return body.position(f.points[k]); };
-    Point at{};
-    bool on = true;
-    for (std::size_t k = 0; k < corners; ++k) on = on && shape.on_side(side, x(k), 1e-6 * spacing), at = at + (1.0 / double(corners)) * x(k);
-    if (!on) continue;
-    const Point area = corners == 2 ? Point{x(1)[1] - x(0)[1], x(0)[0] - x(1)[0], 0} : 0.5 * cross(x(2) - x(0), x(3) - x(1));
-    out.push_back({at, norm(area), area});
-  }
+/// A flat side that a round shape does not cut itself: of its own cells, as fine as the particles, the free sides that lie there.
+std::vector<SidePiece> flat_side(const Shape& shape, const std::string& side, double size, double spacing) {
+  const auto* structured = dynamic_cast<const StructuredShape*>(&shape);
+  if (!structured) return {};
+  std::array<int, 3> divisions{1, 1, 1};
+  for (std::size_t a = 0; a < std::size_t(shape.dim()); ++a) divisions[a] = std::max(1, int(std::lround((shape.upper()[a] - shape.lower()[a]) / spacing)));
+  std::vector<SidePiece> out = free_sides(structured->mesh(divisions), size);
+  const auto axis = std::size_t(side[0] - 'x');
+  std::erase_if(out, [&](const SidePiece& piece) { return !shape.on_side(side, piece.at, 1e-6 * spacing) || std::abs(piece.area[axis]) < (1 - 1e-9) * piece.size; });
   return out;
 }
 
-/// Every side of a shape that a lattice fills in steps, once.
-std::vector<SidePiece> whole_boundary(const ParticleBody& body, const Shape& shape, double size, double spacing) {
-  if (const CellMesh* mesh = shape.cells()) return free_sides(*mesh, size);
-  std::vector<SidePiece> out;
-  const bool named_all = dynamic_cast<const Quadrilateral*>(&shape);
-  for (const std::string& side : shape.sides()) {
-    std::vector<SidePiece> pieces = shape.side_pieces(side, size);
-    if (pieces.empty() && !named_all) pieces = facets_on(body, shape, side, spacing);
-    out.insert(out.end(), pieces.begin(), pieces.end());
+/// The sides of a shape that a lattice fills in steps, each piece once, beyond those that `pieces` has.
+void add_other_sides(const Shape& shape, double size, double spacing, std::vector<std::vector<SidePiece>>& pieces) {
+  const auto key = [&](const Point& x) {
+    std::array<long, 3> k{};
+    for (std::size_t a = 0; a < 3; ++a) k[a] = std::lround(x[a] / (1e-3 * size));
+    return k;
+  };
+  std::set<std::array<long, 3>> known;
+  for (const SidePiece& piece : pieces[0]) known.insert(key(piece.at));
+  const auto add = [&](std::vector<SidePiece> side) {
+    std::erase_if(side, [&](const SidePiece& piece) { return dot(piece.area, piece.area) == 0 || !known.insert(key(piece.at)).second; });
+    if (!side.empty()) pieces.push_back(std::move(side));
+  };
+  const CellMesh* mesh = shape.cells();
+  const bool named_all = mesh || dynamic_cast<const Quadrilateral*>(&shape);
+  for (const std::string& name : mesh ? mesh->groups : shape.sides()) {
+    std::vector<SidePiece> side = shape.side_pieces(name, size);
+    add(side.empty() && !named_all && name.size() == 2 ? flat_side(shape, name, size, spacing) : std::move(side));
   }
-  return out;
+  if (mesh) add(free_sides(*mesh, size));  // those without a name
 }
 
 }  // namespace
@@ -184,33 +189,21 @@ std::vector<PointArea> ParticleBody::outward_areas(const Place& place) const {
   if (steps_ && place.sides.size() == 1) {
     std::vector<SidePiece> mine = shape_->side_pieces(place.sides[0], size);
     const bool own_operator = options_.formulation == Formulation::corrected && options_.mass == MassRule::trapezoid;
-    if (mine.empty() && own_operator) mine = facets_on(*this, *shape_, place.sides[0], particles_.spacing);
+    if (mine.empty() && own_operator && place.sides[0].size() == 2) mine = flat_side(*shape_, place.sides[0], size, particles_.spacing);
     const auto counts = [&](const SidePiece& piece) { return dot(piece.area, piece.area) > 0 && (!place.within || place.within->contains(piece.at, 0.0)); };
     for (const SidePiece& piece : mine)
       if (counts(piece)) share_out(piece, out);
     if (own_operator && !out.empty()) {  // side_areas.hpp
-      const Kernel kernel(options_.kernel, particles_.dim, options_.smoothing * particles_.spacing);
-      std::vector<Point> left = operator_areas(particles_, kernel, options_);
-      std::vector<SidePiece> all = whole_boundary(*this, *shape_, size, particles_.spacing);
-      std::vector<PointArea> hats;
-      for (const SidePiece& piece : all) share_out(piece, hats);
-      for (const PointArea& part : hats) left[part.point] = left[part.point] - part.area;
-      const double tolerance = 1e-6 * particles_.spacing;
-      std::vector<Point> places;
       std::erase_if(mine, [&](const SidePiece& piece) { return !counts(piece); });
-      for (const SidePiece& piece : mine) places.push_back(piece.at);
-      const CellList known(places, particles_.dim, size);
-      std::erase_if(all, [&](const SidePiece& piece) {
-        bool same = false;
-        known.around(piece.at, [&](int k) { same = same || norm(places[std::size_t(k)] - piece.at) < tolerance; });
-        return same;
-      });
-      const std::vector<double> share = nearest_to(particles_, mine, all, 2 * kernel.radius());
-      Point sum{};
-      double size_of_all = 0;
-      for (std::size_t i = 0; i < share.size(); ++i) sum = sum + share[i] * left[i], size_of_all += share[i] * norm(left[i]);
-      for (std::size_t i = 0; i < share.size() && norm(sum) < 1e-9 * size_of_all; ++i)
-        if (share[i] > 0) out.push_back({i, share[i] * left[i]});
+      std::vector<std::vector<SidePiece>> pieces{std::move(mine)};
+      std::vector<std::vector<PointArea>> hats;
+      add_other_sides(*shape_, size, particles_.spacing, pieces);
+      for (const auto& side : pieces) {
+        hats.emplace_back();
+        for (const SidePiece& piece : side) share_out(piece, hats.back());
+      }
+      const Kernel kernel(options_.kernel, particles_.dim, options_.smoothing * particles_.spacing);
+      return balanced_side(particles_, pieces, hats, operator_areas(particles_, kernel, options_), 2 * kernel.radius());
     }
   }
   if (!out.empty() || particles_.cells.empty()) return out.empty() ? Discretization::outward_areas(place) : out;

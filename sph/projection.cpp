@@ -11,8 +11,8 @@ namespace femsph::sph {
 namespace {
 
 constexpr double met = 1e-12;  ///< of the largest area vector: where to stop
-constexpr int most_newton = 20, least_iterations = 150;
-constexpr double most_work = 1e8;  ///< iterations x pairs, some seconds
+constexpr int most_newton = 20, least_iterations = 100;
+constexpr double most_work = 5e7;  ///< iterations x pairs, a second or two
 
 /// The rows' pairs in one array, each with the pair that looks back: from j, or from the particle whose image j is.
 template <int dim>
@@ -36,7 +36,7 @@ class Pairs {
       begin_.push_back(index_.size());
     }
     scale_ = start_;
-    b_.resize(n_);
+    b_.resize(index_.size());
     change_.resize(index_.size());
     look_back();
   }
@@ -56,27 +56,31 @@ class Pairs {
   void area(Vectors& out) {
     parallel_for(n_, 1, [&](std::size_t from, std::size_t to) {
       for (std::size_t i = from; i < to; ++i)
-        for (std::size_t k = begin_[i]; k < begin_[i + 1]; ++k) change_[k] = times(scale_[k], b(i, k));
+        for (std::size_t k = begin_[i]; k < begin_[i + 1]; ++k) change_[k] = times(scale_[k], b_[k]);
     });
     gather(out);
   }
   /// dA = J W J^T lambda: what the change of scales W J^T lambda makes of A, to first order.
   void apply(const Vectors& lambda, Vectors& out) {
+    const Vectors& all = with_images(lambda);
     parallel_for(n_, 1, [&](std::size_t from, std::size_t to) {
-      for (std::size_t i = from; i < to; ++i) changes(i, lambda, [](std::size_t, double) {});
+      Vectors difference;
+      for (std::size_t i = from; i < to; ++i) changes(i, all, difference, [](std::size_t, double) {});
     });
     gather(out);
   }
   /// scale += factor W J^T lambda.
   void add(const Vectors& lambda, double factor, std::vector<double>& scale) {
-    for (std::size_t i = 0; i < n_; ++i) changes(i, lambda, [&](std::size_t k, double change) { scale[k] += factor * change; });
+    const Vectors& all = with_images(lambda);
+    Vectors difference;
+    for (std::size_t i = 0; i < n_; ++i) changes(i, all, difference, [&](std::size_t k, double change) { scale[k] += factor * change; });
   }
   /// The diagonal of J W J^T, without the part of J that B's own change brings.
   void diagonal(Vectors& out) const {
     out.assign(n_, Vector{});
     for (std::size_t i = 0; i < n_; ++i)
       for (std::size_t k = begin_[i]; k < begin_[i + 1]; ++k) {
-        const Vector here = b(i, k), there = b(own(index_[k]), back_[k]);
+        const Vector here = b_[k], there = b_[back_[k]];
         for (int a = 0; a < dim; ++a)
           out[i][a] += start_[k] * std::pow(volume_[i] * here[a], 2) + start_[back_[k]] * std::pow(volume_[own(index_[k])] * there[a], 2);
       }
@@ -112,12 +116,14 @@ class Pairs {
     return v;
   }
   double kernel_share(std::size_t i, std::size_t k) const { return p_.kernel_volume[std::size_t(index_[k])] / p_.kernel_volume[i]; }
-  /// B_i x_ij.
-  Vector b(std::size_t i, std::size_t k) const {
-    Vector out{};
-    for (int a = 0; a < dim; ++a)
-      for (int c = 0; c < dim; ++c) out[a] += b_[i][std::size_t(a * dim + c)] * x_[k][c];
-    return out;
+  const Vectors& with_images(const Vectors& own) {
+    if (p_.mirrored.empty()) return own;
+    all_ = own;
+    for (const Mirrored& m : p_.mirrored) {
+      all_.push_back(own[m.of]);
+      for (int a = 0; a < dim; ++a) all_.back()[a] *= m.sign[std::size_t(a)];
+    }
+    return all_;
   }
 
   void look_back() {
@@ -149,29 +155,31 @@ class Pairs {
         cofactor[a][c] = m[a1][c1] * m[a2][c2] - m[a1][c2] * m[a2][c1];
       }
     const double det = m[0][0] * cofactor[0][0] + m[0][1] * cofactor[0][1] + m[0][2] * cofactor[0][2];
-    for (int a = 0; a < dim; ++a)
-      for (int c = 0; c < dim; ++c) b_[i][std::size_t(a * dim + c)] = cofactor[c][a] / det;
+    for (std::size_t k = begin_[i]; k < begin_[i + 1]; ++k)
+      for (int a = 0; a < dim; ++a) {
+        b_[k][a] = 0;
+        for (int c = 0; c < dim; ++c) b_[k][a] += cofactor[c][a] / det * x_[k][c];
+      }
     return det > 1e-6 && m[0][0] > 0 && cofactor[2][2] > 0;
   }
 
   /// Of row i: d scale = W J^T lambda, told to `take`, and the change of G that it makes:
   ///   d scale_ij = W V_i (lambda_ij - H x_ij) . b_ij,  H = sum_j lambda_ij (x) G_ij;   dG_ij = d scale_ij b_ij - (sum_m d scale_im b_im (x) x_im) G_ij.
   template <class Take>
-  void changes(std::size_t i, const Vectors& lambda, Take&& take) {
+  void changes(std::size_t i, const Vectors& lambda, Vectors& difference, Take&& take) {
     double H[dim][dim] = {}, T[dim][dim] = {};
-    const auto difference = [&](std::size_t k) {
-      Vector d;
-      const std::size_t m = own(index_[k]);
-      for (int a = 0; a < dim; ++a) d[a] = sign(index_[k], a) * lambda[m][a] - lambda[i][a];
-      return d;
-    };
-    for (std::size_t k = begin_[i]; k < begin_[i + 1]; ++k) {
-      const Vector d = difference(k), G = times(scale_[k], b(i, k));
+    const std::size_t first = begin_[i];
+    const Vector here = lambda[i];
+    difference.resize(std::max(difference.size(), begin_[i + 1] - first));
+    for (std::size_t k = first; k < begin_[i + 1]; ++k) {
+      const Vector &there = lambda[std::size_t(index_[k])], G = times(scale_[k], b_[k]);
+      Vector& d = difference[k - first];
+      for (int a = 0; a < dim; ++a) d[a] = there[a] - here[a];
       for (int a = 0; a < dim; ++a)
         for (int c = 0; c < dim; ++c) H[a][c] += d[a] * G[c];
     }
     for (std::size_t k = begin_[i]; k < begin_[i + 1]; ++k) {
-      const Vector d = difference(k), bk = b(i, k);
+      const Vector &d = difference[k - first], &bk = b_[k];
       double misfit = 0;
       for (int a = 0; a < dim; ++a) {
         double off = d[a];
@@ -185,7 +193,7 @@ class Pairs {
         for (int c = 0; c < dim; ++c) T[a][c] += change_[k][a] * x_[k][c];
     }
     for (std::size_t k = begin_[i]; k < begin_[i + 1]; ++k) {
-      const Vector G = times(scale_[k], b(i, k));
+      const Vector G = times(scale_[k], b_[k]);
       for (int a = 0; a < dim; ++a)
         for (int c = 0; c < dim; ++c) change_[k][a] -= T[a][c] * G[c];
     }
@@ -196,8 +204,12 @@ class Pairs {
     parallel_for(n_, 1, [&](std::size_t from, std::size_t to) {
       for (std::size_t i = from; i < to; ++i) {
         Vector sum{};
-        for (std::size_t k = begin_[i]; k < begin_[i + 1]; ++k)
-          for (int a = 0; a < dim; ++a) sum[a] += volume_[own(index_[k])] * sign(index_[k], a) * change_[back_[k]][a] - volume_[i] * change_[k][a];
+        for (std::size_t k = begin_[i]; k < begin_[i + 1]; ++k) {
+          const Vector &back = change_[back_[k]], &forth = change_[k];
+          const bool image = std::size_t(index_[k]) >= n_;
+          const double there = volume_[std::size_t(index_[k])];
+          for (int a = 0; a < dim; ++a) sum[a] += there * (image ? sign(index_[k], a) : 1.0) * back[a] - volume_[i] * forth[a];
+        }
         out[i] = sum;
       }
     });
@@ -222,8 +234,7 @@ class Pairs {
   std::vector<std::size_t> begin_, back_;
   std::vector<int> index_;
   std::vector<double> start_, scale_;
-  std::vector<Vector> x_, change_;
-  std::vector<std::array<double, std::size_t(dim * dim)>> b_;
+  std::vector<Vector> x_, b_, change_, all_;  ///< x_ij, B_i x_ij
   bool complete_ = true;
 };
 

@@ -31,26 +31,105 @@ std::vector<Point> operator_areas(const Particles& particles, const Kernel& kern
   return out;
 }
 
-std::vector<double> nearest_to(const Particles& particles, const std::vector<SidePiece>& mine, const std::vector<SidePiece>& others, double radius) {
-  const auto distances = [&](const std::vector<SidePiece>& pieces) {
-    std::vector<Point> at;
-    for (const SidePiece& piece : pieces) at.push_back(piece.at);
-    const CellList cells(at, particles.dim, radius);
-    std::vector<double> out(particles.size(), radius * radius);
-    for (std::size_t i = 0; i < out.size(); ++i)
-      cells.around(particles.position[i], [&](int k) {
-        const Point off = at[std::size_t(k)] - particles.position[i];
-        out[i] = std::min(out[i], dot(off, off));
-      });
+namespace {
+
+/// Squares of the distances from each particle to the nearest piece, `radius` squared where none is that near.
+std::vector<double> distances(const Particles& particles, const std::vector<SidePiece>& pieces, double radius) {
+  std::vector<Point> at;
+  for (const SidePiece& piece : pieces) at.push_back(piece.at);
+  std::vector<double> out(particles.size(), radius * radius);
+  if (at.empty()) return out;
+  const CellList cells(at, particles.dim, radius);
+  for (std::size_t i = 0; i < out.size(); ++i)
+    cells.around(particles.position[i], [&](int k) {
+      const Point off = at[std::size_t(k)] - particles.position[i];
+      out[i] = std::min(out[i], dot(off, off));
+    });
+  return out;
+}
+
+/// Solves A x = b, symmetric and positive semidefinite, b in its range: what has no pivot stays 0.
+std::vector<double> solved(std::vector<std::vector<double>> A, std::vector<double> b) {
+  const std::size_t n = b.size();
+  double most = 0;
+  for (std::size_t k = 0; k < n; ++k) most = std::max(most, A[k][k]);
+  std::vector<char> used(n, 0);
+  std::vector<std::size_t> order;
+  for (std::size_t step = 0; step < n; ++step) {
+    std::size_t pivot = n;
+    for (std::size_t k = 0; k < n; ++k)
+      if (!used[k] && A[k][k] > 1e-10 * most && (pivot == n || A[k][k] > A[pivot][pivot])) pivot = k;
+    if (pivot == n) break;
+    used[pivot] = 1;
+    order.push_back(pivot);
+    for (std::size_t r = 0; r < n; ++r) {
+      if (r == pivot || A[r][pivot] == 0) continue;
+      const double factor = A[r][pivot] / A[pivot][pivot];
+      for (std::size_t c = 0; c < n; ++c) A[r][c] -= factor * A[pivot][c];
+      b[r] -= factor * b[pivot];
+    }
+  }
+  std::vector<double> x(n, 0.0);
+  for (const std::size_t k : order) x[k] = b[k] / A[k][k];
+  return x;
+}
+
+}  // namespace
+
+std::vector<PointArea> balanced_side(const Particles& particles, const std::vector<std::vector<SidePiece>>& pieces,
+                                     const std::vector<std::vector<PointArea>>& hats, std::vector<Point> areas, double radius) {
+  const std::size_t n = particles.size(), sides = pieces.size(), dim = std::size_t(particles.dim), motions = dim == 2 ? 3 : 6;
+  for (const auto& side : hats)
+    for (const PointArea& part : side) areas[part.point] = areas[part.point] - part.area;
+  std::vector<std::vector<double>> far, theta(sides, std::vector<double>(n, 0.0));
+  for (const auto& side : pieces) far.push_back(distances(particles, side, radius));
+  const double tie = 1e-6 * particles.spacing * particles.spacing;
+  Point middle{};
+  for (std::size_t i = 0; i < n; ++i) {
+    middle = middle + (1.0 / double(n)) * particles.position[i];
+    double nearest = radius * radius, count = 0;
+    for (std::size_t s = 0; s < sides; ++s) nearest = std::min(nearest, far[s][i]);
+    if (nearest >= radius * radius) continue;
+    for (std::size_t s = 0; s < sides; ++s) count += far[s][i] < nearest + tie;
+    for (std::size_t s = 0; s < sides; ++s) theta[s][i] = far[s][i] < nearest + tie ? 1 / count : 0;
+  }
+  double extent = 0;
+  for (std::size_t i = 0; i < n; ++i) extent = std::max(extent, norm(particles.position[i] - middle));
+  /// Rigid motion k at particle i: along an axis, or about one.
+  const auto motion = [&](std::size_t k, std::size_t i) {
+    Point out{};
+    if (k < dim) out[k] = 1;
+    else {
+      Point axis{};
+      axis[dim == 2 ? 2 : k - dim] = 1 / extent;
+      out = cross(axis, particles.position[i] - middle);
+    }
     return out;
   };
-  std::vector<double> share(particles.size(), 0.0);
-  if (mine.empty()) return share;
-  const std::vector<double> own = distances(mine), other = others.empty() ? std::vector<double>(share.size(), radius * radius) : distances(others);
-  const double tie = 1e-6 * particles.spacing * particles.spacing;
-  for (std::size_t i = 0; i < share.size(); ++i)
-    if (own[i] < radius * radius) share[i] = std::abs(own[i] - other[i]) < tie ? 0.5 : own[i] < other[i] ? 1.0 : 0.0;
-  return share;
+  std::vector<std::vector<double>> matrix(sides * motions, std::vector<double>(sides * motions, 0.0));
+  std::vector<double> lacking(sides * motions, 0.0);
+  const auto meet = [&](std::size_t s, std::size_t t, std::size_t i) { return s != t && far[s][i] < radius * radius && far[t][i] < radius * radius; };
+  for (std::size_t i = 0; i < n; ++i)
+    for (std::size_t s = 0; s < sides; ++s) {
+      if (far[s][i] >= radius * radius) continue;
+      for (std::size_t k = 0; k < motions; ++k) lacking[s * motions + k] -= theta[s][i] * dot(motion(k, i), areas[i]);
+      for (std::size_t t = 0; t < sides; ++t)
+        for (std::size_t k = 0; k < motions && meet(s, t, i); ++k)
+          for (std::size_t l = 0; l < motions; ++l) {
+            const double both = dot(motion(k, i), motion(l, i));
+            matrix[s * motions + k][s * motions + l] += both;
+            matrix[s * motions + k][t * motions + l] -= both;
+          }
+    }
+  const std::vector<double> m = solved(std::move(matrix), std::move(lacking));
+  std::vector<PointArea> out = hats[0];
+  for (std::size_t i = 0; i < n; ++i) {
+    Point more = theta[0][i] * areas[i];
+    for (std::size_t t = 1; t < sides; ++t)
+      for (std::size_t k = 0; k < motions && meet(0, t, i); ++k) more = more + (m[k] - m[t * motions + k]) * motion(k, i);
+    if (dot(more, more) > 0) out.push_back({i, more});
+  }
+  return out;
 }
 
 std::vector<SidePiece> free_sides(const CellMesh& mesh, double size) {

@@ -24,9 +24,7 @@ std::unique_ptr<Discretization> total_lagrangian(const Scene& scene, std::size_t
           if (scene.large_motion) return packed.template operator()<LargeMotion<LawType>, Correction::hourglass_and_mean_dilatation>();
           if constexpr (!LargeMotionOnly<LawType>) return packed.template operator()<SmallStrain, Correction::hourglass_and_mean_dilatation>();
         }
-        if (scene.large_motion && !classic)
-          return hourglass ? packed.template operator()<LargeMotion<LawType>, Correction::matrix_and_hourglass>()
-                           : packed.template operator()<LargeMotion<LawType>, Correction::matrix>();
+        if (scene.large_motion && !classic) return packed.template operator()<LargeMotion<LawType>, Correction::matrix_and_hourglass>();
         if constexpr (LargeMotionOnly<LawType>) {
           throw std::runtime_error("this material needs motion = \"large\"");
         } else {

@@ -134,8 +134,9 @@ std::vector<SidePiece> Round::side_pieces(const std::string& side, double size) 
     for (int i = 0; i < n; ++i) {
       const double angle = turn * (i + 0.5) / n, area = radius * turn / n * (dim_ == 3 ? size_.length / m : 1.0);
       SidePiece piece{place(radius * std::cos(angle), radius * std::sin(angle), dim_ == 3 ? size_.length * (j + 0.5) / m : 0.0), area, {}};
-      piece.area[first()] = out * area * std::cos(angle);
-      piece.area[second()] = out * area * std::sin(angle);
+      const double across = area * std::sin(0.5 * turn / n) / (0.5 * turn / n);  // integral of the normal over the piece of an arc: its chord
+      piece.area[first()] = out * across * std::cos(angle);
+      piece.area[second()] = out * across * std::sin(angle);
       pieces.push_back(piece);
     }
   return pieces;

@@ -78,7 +78,7 @@ void expect_weight(const Case& c, double spacing, bool fitted) {
   const Scene scene = scene_of(c.shape);
   for (const sph::Formulation formulation : {sph::Formulation::corrected, sph::Formulation::classic}) {
     sph::Options o;
-    o.spacing = spacing, o.fitted = fitted, o.formulation = formulation;
+    o.spacing = spacing, o.fitted = fitted, o.projection = false, o.formulation = formulation;
     const auto d = sph::discretize(scene, 0, o);
     const MassError error = mass_error(scene, 0, *d);
     EXPECT_NEAR(error.mass, 0, 1e-10) << c.name << ", spacing " << spacing << (fitted ? "" : ", lattice");
