@@ -14,7 +14,8 @@
 //   seldom                 only if few steps read one slot of its history: which,
 //   stiffening(g, J)       only if its tangent grows with the deformation: stiffening.hpp,
 //   large_motion_only      only if it is made for large motion alone,
-//   plastic_strain(history), plastic_work(history)   only if not path_independent: equivalent plastic strain; work not stored, J/m^3.
+//   plastic_strain(history), plastic_work(history)   only if not path_independent: equivalent plastic strain; work not stored, J/m^3;
+//                          and beside the law a function flow_stress(law, history, ..): flow_stress.hpp.
 // Strain and stress are Symmetric<T, dim>: tensor components, Pa. T is double or Pack.
 
 #include <variant>
