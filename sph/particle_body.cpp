@@ -186,9 +186,15 @@ std::vector<Weight> ParticleBody::points_of(const Place& place) const {
 std::vector<PointArea> ParticleBody::outward_areas(const Place& place) const {
   std::vector<PointArea> out;
   const double size = 0.2 * particles_.spacing;
+  const bool own_operator = steps_ && options_.formulation == Formulation::corrected && options_.mass == MassRule::trapezoid;
+  const Kernel kernel(options_.kernel, particles_.dim, options_.smoothing * particles_.spacing);
+  if (own_operator && place.sides.empty() && !place.within && !place.point) {  // all around: side_areas.hpp
+    const std::vector<Point> areas = operator_areas(particles_, kernel, options_);
+    for (std::size_t i = 0; i < areas.size(); ++i) out.push_back({i, areas[i]});
+    return out;
+  }
   if (steps_ && place.sides.size() == 1) {
     std::vector<SidePiece> mine = shape_->side_pieces(place.sides[0], size);
-    const bool own_operator = options_.formulation == Formulation::corrected && options_.mass == MassRule::trapezoid;
     if (mine.empty() && own_operator && place.sides[0].size() == 2) mine = flat_side(*shape_, place.sides[0], size, particles_.spacing);
     const auto counts = [&](const SidePiece& piece) { return dot(piece.area, piece.area) > 0 && (!place.within || place.within->contains(piece.at, 0.0)); };
     for (const SidePiece& piece : mine)
@@ -202,7 +208,6 @@ std::vector<PointArea> ParticleBody::outward_areas(const Place& place) const {
         hats.emplace_back();
         for (const SidePiece& piece : side) share_out(piece, hats.back());
       }
-      const Kernel kernel(options_.kernel, particles_.dim, options_.smoothing * particles_.spacing);
       return balanced_side(particles_, pieces, hats, operator_areas(particles_, kernel, options_), 2 * kernel.radius());
     }
   }

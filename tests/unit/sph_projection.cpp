@@ -227,6 +227,8 @@ TEST(Projection, SidesThatCutALatticeHoldAUniformStress) {
   const std::vector<Body> bodies{{"disc", round(2, 0), 0.011},
                                  {"ring", round(2, 0.05), 0.0085},
                                  {"half ring", std::make_shared<Round>(2, Round::Size{{}, 0.05, 0.1, 0, 2, Round::Part::half}), 0.0085},
+                                 {"disc without cells", std::make_shared<Ball>(2, Point{}, 0.1), 0.011},
+                                 {"sphere without cells", std::make_shared<Ball>(3, Point{}, 0.1), 0.025},
                                  {"turned box", std::make_shared<Quadrilateral>(corners), 0.0125},
                                  {"cylinder", round(3, 0), 0.02},
                                  {"mesh of a ball", mesh_of_a_ball(), 0.021}};
@@ -243,8 +245,11 @@ TEST(Projection, SidesThatCutALatticeHoldAUniformStress) {
     std::erase_if(sides, [&](const std::string& side) { return b.shape->cells() || dynamic_cast<const Quadrilateral*>(b.shape.get()) ? side.size() == 2 : false; });
     std::vector<Point> area(d->layout().points, Point{});
     Point all{};
-    for (const std::string& side : sides)
-      for (const PointArea& part : d->outward_areas({0, {side}, {}, {}, {}})) area[part.point] = area[part.point] + part.area, all = all + part.area;
+    std::vector<Place> places;
+    for (const std::string& side : sides) places.push_back({0, {side}, {}, {}, {}});
+    if (dynamic_cast<const Ball*>(b.shape.get())) places = {Place{0, {}, {}, {}, {}}};  // "all"
+    for (const Place& place : places)
+      for (const PointArea& part : d->outward_areas(place)) area[part.point] = area[part.point] + part.area, all = all + part.area;
     const auto f = force(*d, linear_vector(*d, e));
     double most = 0, off = 0;
     for (std::size_t i = 0; i < area.size(); ++i)
