@@ -9,7 +9,8 @@ rows(s, m) = sprintf("< awk -F, 'NR == 1 || $1 == \"%s\"' '%s'", name(m), file("
 some(s, m) = int(system(sprintf("awk -F, '$1 == \"%s\"' '%s' 2>/dev/null | wc -l", name(m), file("rungs-".s)))) > 0
 # A number of a ladder, as femsph has fitted it: 3 order, 5 error over CPU, 6 CPU over unknowns.
 fitted(s, m, k) = system(sprintf("awk -F, '$1 == \"%s\" && $2 == \"%s\" && $%d != \"\" {printf \"%%.2f\", $%d}' '%s'", s, name(m), k, k, file("ladders")))
-label(s, m, k) = name(m).(strlen(fitted(s, m, k)) > 0 ? sprintf(" (%s)", fitted(s, m, k)) : "")
+shown_as(m) = system("printf '%s' '".name(m)."' | sed s/sph-corrected-own-volume/sph-own-volume/")  # two columns of the key
+label(s, m, k) = shown_as(m).(strlen(fitted(s, m, k)) > 0 ? sprintf(" (%s)", fitted(s, m, k)) : "")
 style_in(list, i) = list eq plain ? (i < 5 ? i : i == 5 ? 5 : i == 6 ? 10 : 11) : i == 1 ? 5 : i == 4 ? 10 : 40 + i
 
 # Classic warm, corrected cold.
