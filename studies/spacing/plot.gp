@@ -1,12 +1,12 @@
 load style
 cases = "d=20mm d=10mm d=5mm d=2.5mm"
-methods = "sph-classic-share sph-classic-full sph-corrected fem-full"
+methods = "sph-classic-share sph-classic-full sph-corrected-own-volume sph-corrected fem-full"
 
 set ylabel "height, mm"
 set xlabel "stress along the beam at x = 100 mm, MPa"
-do for [name in "fig16-stress-share fig16-stress-corrected"] {
+do for [name in "fig16-stress-share fig16-stress-own-volume fig16-stress-corrected"] {
   set output figure(name)
-  set title (name eq "fig16-stress-share" ? "sph-classic-share" : "sph-corrected")
+  set title (name eq "fig16-stress-share" ? "sph-classic-share" : name eq "fig16-stress-own-volume" ? "sph-corrected-own-volume" : "sph-corrected")
   if (has(name)) {
     plot for [i = 1:words(cases)] file(name) using word(cases, i):"distance_mm" with linespoints ls 30 + i title word(cases, i), \
          file(name) using "theory":"distance_mm" with lines ls 20 title "beam theory"
