@@ -32,6 +32,7 @@ OperatorRows operator_rows(const Particles& particles, const Kernel& kernel, con
       if (std::abs(particles.position[i][m.axis] - m.at) < 1e-6 * particles.spacing) whole[i][std::size_t(m.axis)] = 0;
   }
   Projection made = project(particles, *out.rows, whole, filled);
+  if (made.needless) return out;
   if (!made.rows || made.left > 1e-3)
     out.note = fmt::format("a uniform stress is in balance with its tractions to {:.1g} % of them only{}; more neighbours may help: a larger smoothing length",
                            100 * made.left, made.rows ? "" : ", as no weights were found that would make it exact");

@@ -304,6 +304,7 @@ Projection project_in(const Particles& particles, const RowSource& source, const
   };
   out.left = pairs.complete() ? residual() : std::numeric_limits<double>::infinity();
   const double first = out.left;
+  if ((out.needless = first < worth_projecting)) return out;
   const int most = most_iterations(pairs);
   for (int newton = 0; newton < most_newton && out.left > met && std::isfinite(out.left) && out.iterations < most; ++newton) {
     const double enough = std::max(std::clamp(0.3 * out.left, 1e-5, 0.05) * out.left, 0.3 * met);

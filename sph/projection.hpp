@@ -20,7 +20,11 @@ struct Projection {
   std::unique_ptr<RowSource> adjoint;  ///< a_ij = (K_j / K_i) scale_ji x_ij
   double left = 0;                     ///< largest |A_i - a_i| that is left over the largest |a_i|
   int iterations = 0;                  ///< of conjugate gradients
+  bool needless = false;               ///< the rows as they come leave less than `worth_projecting`
 };
+
+/// Below this imbalance rows stay as they come: those of rings and other bodies of one smooth block, whose displacements the projection makes a little worse.
+inline constexpr double worth_projecting = 0.05;
 
 /// `area` are the a_i of the body's own particles with sum x (x) a = (sum of `volume`) I; `volume` those that the stress fills, of the body with its images.
 /// Without `rows` if no such scales were found; `left` says how near they came.
