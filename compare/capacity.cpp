@@ -30,8 +30,8 @@ double bytes_of_unit(const Scene& scene, const Body& body, const Method& method)
   const bool corrected = options.formulation == sph::Formulation::corrected, scattered = options.jitter > 0 || sph::is_fitted(*body.shape, options);
   const double rows = scattered ? (dim == 2 ? 600 : 2200) * std::pow(options.smoothing / 1.2, dim) : 0.0;
   const double projected = corrected && options.projection ? 2 : 1;  // the adjoint has rows of its own
-  const LinearElastic elastic = std::visit([](const auto& law) { return law.elastic(); }, scene.material_of(body).law(scene.plane));
-  const bool mean = corrected && sph::wants_mean_dilatation(options, elastic, plastic);
+  const bool mean = corrected && std::visit([&](const auto& law) { return sph::wants_mean_dilatation(options, law.elastic(), sph::flows_at_constant_volume(law)); },
+                                            scene.material_of(body).law(scene.plane));
   const double averaged = mean ? (dim == 2 ? 60 : 110) + (scattered ? dim == 2 ? 160 : 520 : 0) : 0;  // gradients, two values, their rows
   return (dim == 2 ? 1000 : 1200) + projected * rows + averaged + remembered;
 }

@@ -39,7 +39,7 @@ void add_method_options(CLI::App* command, RunCommand& c) {
   command->add_option("--kernel-volume", c.kernel_volume, "corrected SPH: a neighbour's volume in kernel sums: whole (its whole cell, default) or own (half a cell on a side)");
   command->add_option("--dilatation", c.dilatation,
                       "corrected SPH: the change of volume that the law is given: local (the particle's own), mean (over its neighbours), or\n"
-                      "automatic (default: mean where Poisson's ratio is above 0.4 or the material is plastic, except in plane stress)");
+                      "automatic (default: mean where Poisson's ratio is above 0.4 or the material flows plastically, except in plane stress)");
   command->add_option("--viscosity", c.viscosity, "classic SPH: alpha,beta,gamma of the artificial viscosity (eq. 5)")->delimiter(',')->expected(3);
   command->add_option("--hourglass", c.hourglass, "coefficient of the hourglass control, 0 to 10: sph-corrected; fem-one-point takes Flanagan and Belytschko's control by it, instead of its physical stabilization");
   command->add_flag("!--no-projection", c.projection, "sph-corrected: leave the weights of scattered particles as the kernel has them; a uniform stress is then not exact");

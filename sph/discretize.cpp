@@ -35,12 +35,12 @@ std::unique_ptr<Discretization> discretize(const Scene& scene, std::size_t body,
                           : total_lagrangian<3>(scene, body, options, std::move(particles), kernel);
 }
 
-bool wants_mean_dilatation(const Options& options, const LinearElastic& elastic, bool plastic) {
+bool wants_mean_dilatation(const Options& options, const LinearElastic& elastic, bool flows_at_constant_volume) {
   if (elastic.plane == Plane::stress) {
     if (options.dilatation == Dilatation::mean) throw Refusal("a mean dilatation is for bodies that keep their volume; in plane stress the thickness gives way");
     return false;
   }
-  return options.dilatation == Dilatation::automatic ? plastic || elastic.poisson > 0.4 : options.dilatation == Dilatation::mean;
+  return options.dilatation == Dilatation::automatic ? flows_at_constant_volume || elastic.poisson > 0.4 : options.dilatation == Dilatation::mean;
 }
 
 double surface_weight_loss(const Scene& scene, std::size_t body, const Options& options) {

@@ -16,7 +16,7 @@ enum class MassRule { share, full, trapezoid };
 /// (half a cell on a side). Mass, energy and loads always take its own.
 enum class KernelVolume { whole, own };
 /// Which change of volume the law is given (corrected only): the particle's own, or the mean over its neighbours, which keeps the pressure from
-/// alternating where a body keeps its volume. automatic: the mean where Poisson's ratio is above 0.4 or the material is plastic, except in plane stress.
+/// alternating where a body keeps its volume. automatic: the mean where Poisson's ratio is above 0.4 or the material flows plastically (without a tension rule), except in plane stress.
 enum class Dilatation { automatic, local, mean };
 /// What makes up for the missing neighbours beyond a free surface (classic only; corrected needs none).
 enum class Boundary { none, virtual_particles, weight };

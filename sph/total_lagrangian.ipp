@@ -20,7 +20,7 @@ std::unique_ptr<Discretization> total_lagrangian(const Scene& scene, std::size_t
                          : with.template operator()<ListStencils<dim>, Kinematics, correction>();
         };
         const bool hourglass = options.hourglass > 0, classic = options.formulation == Formulation::classic;
-        if (!classic && wants_mean_dilatation(options, l.elastic(), !LawType::path_independent)) {
+        if (!classic && wants_mean_dilatation(options, l.elastic(), flows_at_constant_volume(l))) {
           if (scene.large_motion) return packed.template operator()<LargeMotion<LawType>, Correction::hourglass_and_mean_dilatation>();
           if constexpr (!LargeMotionOnly<LawType>) return packed.template operator()<SmallStrain, Correction::hourglass_and_mean_dilatation>();
         }

@@ -103,8 +103,9 @@ TEST(Plastic, TwoWavesOfUniaxialStrain) {
   EXPECT_NEAR(elastic, 6001, 1);
   EXPECT_NEAR(plastic, 4734, 1);
   EXPECT_NEAR(top, 854e6, 1e6);
-  for (const char* method : {"fem-full", "fem-one-point", "sph-corrected"}) {
-    const auto r = run(impact("", held, v, "[time]\nduration = \"33 us\"\nsamples = 2000\n"), method, 1);
+  // Particles need half the spacing of cells: the mean dilatation makes short waves slower.
+  for (const auto& [method, spacing] : {std::pair("fem-full", 1.0), {"fem-one-point", 1.0}, {"sph-corrected", 0.5}}) {
+    const auto r = run(impact("", held, v, "[time]\nduration = \"33 us\"\nsamples = 2000\n"), method, spacing);
     // between the plastic front's passage at 40 mm (8.4 us) and the end, and between the two fronts at 150 mm (25.0 and 31.7 us)
     EXPECT_NEAR(mean(r, "near_xx", 12e-6, 33e-6), -top, 0.01 * top) << method;
     EXPECT_NEAR(mean(r, "far_xx", 26.5e-6, 30.5e-6), -limit, 0.03 * limit) << method;
