@@ -30,6 +30,7 @@ const std::vector<Method>& methods() {
   sph::Options own_volume;
   own_volume.kernel_volume = sph::KernelVolume::own;
   own_volume.hourglass = 0.1;
+  own_volume.projection = false;
   static const std::vector<Method> all{
       fem_method("fem-full", fem::Element::full,
                  "linear cells, full integration; too stiff in bending, and locks in volume (Poisson's ratio near 1/2, plastic flow)"),

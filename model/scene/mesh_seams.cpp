@@ -16,14 +16,14 @@ namespace {
 // Nearer than this share of the shortest edge around, two places are meant to be one: nobody draws such a slit, and CAD kernels leave such gaps.
 constexpr double near = 1e-3;
 
-double distance(const Point& a, const Point& b) { return std::hypot(a[0] - b[0], a[1] - b[1], a[2] - b[2]); }
+double apart(const Point& a, const Point& b) { return std::hypot(a[0] - b[0], a[1] - b[1], a[2] - b[2]); }
 
 double shortest_edge(const CellMesh& mesh, int cell) {
   double h = 1e300;
   const auto& v = mesh.cells[cell];
   for (int a = 0; a < 1 << mesh.dim; ++a)
     for (int d = 0; d < mesh.dim; ++d)
-      if (!(a >> d & 1)) h = std::min(h, distance(mesh.vertices[v[a]], mesh.vertices[v[a | 1 << d]]));
+      if (!(a >> d & 1)) h = std::min(h, apart(mesh.vertices[v[a]], mesh.vertices[v[a | 1 << d]]));
   return h;
 }
 
@@ -98,7 +98,7 @@ class Seams {
       if (has(side, vertex) || !is_near(patch_of(mesh_, side), p, tolerance)) return false;
       bool on_corner = false;
       for (int v = 0; v < 1 << (mesh_.dim - 1); ++v)
-        if (distance(mesh_.vertices[side.loop[v]], p) <= tolerance) {
+        if (apart(mesh_.vertices[side.loop[v]], p) <= tolerance) {
           on_corner = true;
           auto& least = twin_.try_emplace(vertex, vertex).first->second;
           least = std::min(least, side.loop[v]);
