@@ -91,8 +91,12 @@ std::vector<SidePiece> flat_side(const Shape& shape, const std::string& side, do
   return out;
 }
 
-/// The sides of a shape that a lattice fills in steps, each piece once, beyond those that `pieces` has.
-void add_other_sides(const Shape& shape, double size, double spacing, std::vector<std::vector<SidePiece>>& pieces) {
+/// The sides of a shape that a lattice fills in steps, each piece once, beyond those that `pieces` has. Symmetry planes are none: the body goes on there.
+void add_other_sides(const Shape& shape, double size, const Particles& p, std::vector<std::vector<SidePiece>>& pieces) {
+  const double spacing = p.spacing;
+  const auto on_plane = [&](const SidePiece& piece) {
+    return std::any_of(p.planes.begin(), p.planes.end(), [&](const MirrorPlane& m) { return std::abs(piece.at[std::size_t(m.axis)] - m.at) < 1e-6 * spacing; });
+  };
   const auto key = [&](const Point& x) {
     std::array<long, 3> k{};
     for (std::size_t a = 0; a < 3; ++a) k[a] = std::lround(x[a] / (1e-3 * size));
@@ -101,7 +105,7 @@ void add_other_sides(const Shape& shape, double size, double spacing, std::vecto
   std::set<std::array<long, 3>> known;
   for (const SidePiece& piece : pieces[0]) known.insert(key(piece.at));
   const auto add = [&](std::vector<SidePiece> side) {
-    std::erase_if(side, [&](const SidePiece& piece) { return dot(piece.area, piece.area) == 0 || !known.insert(key(piece.at)).second; });
+    std::erase_if(side, [&](const SidePiece& piece) { return dot(piece.area, piece.area) == 0 || on_plane(piece) || !known.insert(key(piece.at)).second; });
     if (!side.empty()) pieces.push_back(std::move(side));
   };
   const CellMesh* mesh = shape.cells();
@@ -203,12 +207,16 @@ std::vector<PointArea> ParticleBody::outward_areas(const Place& place) const {
       std::erase_if(mine, [&](const SidePiece& piece) { return !counts(piece); });
       std::vector<std::vector<SidePiece>> pieces{std::move(mine)};
       std::vector<std::vector<PointArea>> hats;
-      add_other_sides(*shape_, size, particles_.spacing, pieces);
+      add_other_sides(*shape_, size, particles_, pieces);
       for (const auto& side : pieces) {
         hats.emplace_back();
         for (const SidePiece& piece : side) share_out(piece, hats.back());
       }
-      return balanced_side(particles_, pieces, hats, operator_areas(particles_, kernel, options_), 2 * kernel.radius());
+      std::vector<Point> areas = operator_areas(particles_, kernel, options_);
+      for (std::size_t i = 0; i < areas.size(); ++i)
+        for (const MirrorPlane& m : particles_.planes)  // across a symmetry plane nothing moves
+          if (std::abs(particles_.position[i][std::size_t(m.axis)] - m.at) < 1e-6 * particles_.spacing) areas[i][std::size_t(m.axis)] = 0;
+      return balanced_side(particles_, pieces, hats, std::move(areas), 2 * kernel.radius());
     }
   }
   if (!out.empty() || particles_.cells.empty()) return out.empty() ? Discretization::outward_areas(place) : out;

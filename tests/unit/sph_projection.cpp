@@ -270,5 +270,27 @@ TEST(Projection, SidesThatCutALatticeHoldAUniformStress) {
   }
 }
 
+// With symmetry planes as well: they are no sides, and what acts is a quarter of the whole.
+TEST(Projection, SidesThatCutALatticeBesideSymmetryPlanes) {
+  Body b{"quarter of a disc", std::make_shared<Round>(2, Round::Size{{}, 0, 0.1, 0, 2, Round::Part::quarter}), 0.011, 1, 0, {"x-", "y-"}};
+  sph::Options o = corrected(b.spacing);
+  o.fitted = false;
+  const auto d = sph::discretize(scene_of(b), 0, o);
+  std::vector<Point> area(d->layout().points, Point{});
+  Point all{};
+  for (const PointArea& part : d->outward_areas({0, {"outer"}, {}, {}, {}})) area[part.point] = area[part.point] + part.area, all = all + part.area;
+  EXPECT_NEAR(all[0], 0.1, 1e-3);  // R, the integral of cos, but for what the planes bear: across them particles are held
+  EXPECT_NEAR(all[1], 0.1, 1e-3);
+  for (const Point& a : area) EXPECT_LT(norm(a), 2 * b.spacing);
+  const double e[3][3] = {{1e-4, 0, 0}, {0, 1e-4, 0}, {0, 0, 0}};
+  const Scene scene = scene_of(b);
+  const auto law = std::get<LinearElastic>(scene.material_of(scene.bodies[0]).law(scene.plane));
+  const double p = (2 * law.mu + 2 * law.lambda) * 1e-4, thickness = scene.bodies[0].thickness;
+  const auto f = force(*d, linear_vector(*d, e));
+  for (std::size_t i = 0; i < area.size(); ++i)
+    for (int c = 0; c < 2; ++c)
+      if (d->position(i)[std::size_t(c)] > 1e-9) EXPECT_NEAR(f[d->layout().at(i, c)], -p * thickness * area[i][std::size_t(c)], 1e-9 * p * thickness * b.spacing);
+}
+
 }  // namespace
 }  // namespace femsph::test
