@@ -4,8 +4,8 @@
 #include <limits>
 
 #include "fem/explicit_fem.hpp"
-#include "fem/gather.hpp"
-#include "fem/gauss.hpp"
+#include "fem/elements/gather.hpp"
+#include "fem/mesh/gauss.hpp"
 #include "model/material/stiffening.hpp"
 #include "model/numerics/parallel.hpp"
 

@@ -6,10 +6,10 @@
 #include <limits>
 #include <stdexcept>
 
-#include "fem/geometry.hpp"
+#include "fem/mesh/geometry.hpp"
 #include "model/numerics/least_squares.hpp"
 #include "model/numerics/parallel.hpp"
-#include "model/scene/structured_shapes.hpp"
+#include "model/scene/shapes/structured_shapes.hpp"
 
 namespace femsph::fem {
 

@@ -5,11 +5,11 @@
 #include <span>
 #include <vector>
 
-#include "fem/batches.hpp"
-#include "fem/cell_loop.hpp"
+#include "fem/mesh/batches.hpp"
+#include "fem/elements/cell_loop.hpp"
 #include "fem/fem.hpp"
-#include "fem/locator.hpp"
-#include "fem/mesh.hpp"
+#include "fem/mesh/locator.hpp"
+#include "fem/mesh/mesh.hpp"
 #include "fem/truss_bars.hpp"
 
 namespace femsph::fem {

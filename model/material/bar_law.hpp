@@ -8,7 +8,7 @@
 #include <type_traits>
 
 #include "model/material/kinematics.hpp"
-#include "model/material/plastic.hpp"
+#include "model/material/laws/plastic.hpp"
 
 namespace femsph {
 

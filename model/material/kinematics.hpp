@@ -15,7 +15,7 @@
 #include <type_traits>
 
 #include "model/material/law.hpp"
-#include "model/material/stretch.hpp"
+#include "model/material/laws/stretch.hpp"
 
 namespace femsph {
 

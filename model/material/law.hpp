@@ -20,9 +20,9 @@
 
 #include <variant>
 
-#include "model/material/linear_elastic.hpp"
-#include "model/material/neo_hookean.hpp"
-#include "model/material/plastic.hpp"
+#include "model/material/laws/linear_elastic.hpp"
+#include "model/material/laws/neo_hookean.hpp"
+#include "model/material/laws/plastic.hpp"
 
 namespace femsph {
 

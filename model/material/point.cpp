@@ -8,8 +8,8 @@
 #include <sstream>
 
 #include "model/material/kinematics.hpp"
-#include "model/material/point_stress.hpp"
-#include "model/scene/faults.hpp"
+#include "model/material/laws/point_stress.hpp"
+#include "model/input/faults.hpp"
 
 namespace femsph {
 

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "model/material/bar_law.hpp"
-#include "model/motion/archive.hpp"
+#include "model/numerics/archive.hpp"
 #include "model/scene/scene.hpp"
 
 namespace femsph {

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "model/motion/vectors.hpp"
+#include "model/numerics/vectors.hpp"
 
 namespace femsph {
 

@@ -10,7 +10,8 @@
 #include <vector>
 
 #include "model/material/flow_stress.hpp"
-#include "model/motion/archive.hpp"
+#include "model/numerics/archive.hpp"
+#include "model/numerics/weight.hpp"
 #include "model/scene/scene.hpp"
 
 namespace femsph {
@@ -23,12 +24,6 @@ struct Layout {
   std::size_t point_stride = 1, component_stride = 0, offset = 0;
   std::size_t size = 0;  ///< of the flat array
   std::size_t at(std::size_t i, int c) const { return offset + i * point_stride + c * component_stride; }
-};
-
-/// A share of something that belongs to one point.
-struct Weight {
-  std::size_t point;
-  double weight;
 };
 
 /// A piece of a body's boundary between its points. 2D: a segment 0 -> 1 with the body to its left; 3D: a quadrilateral,

@@ -14,7 +14,7 @@
 
 #include "model/motion/critical_step.hpp"
 #include "model/motion/gravity.hpp"
-#include "model/motion/vectors.hpp"
+#include "model/numerics/vectors.hpp"
 #include "model/numerics/parallel.hpp"
 #include "model/numerics/simd.hpp"
 

@@ -13,7 +13,7 @@
 #include "model/motion/ledger.hpp"
 #include "model/motion/ties.hpp"
 #include "model/numerics/array.hpp"
-#include "model/results/price.hpp"
+#include "model/motion/price.hpp"
 
 namespace femsph {
 

@@ -23,7 +23,7 @@
 #include <cmath>
 
 #include "model/motion/march.hpp"
-#include "model/motion/vectors.hpp"
+#include "model/numerics/vectors.hpp"
 #include "model/numerics/parallel.hpp"
 
 namespace femsph {

@@ -8,7 +8,7 @@
 #include "model/motion/critical_step.hpp"
 #include "model/motion/march.hpp"
 #include "model/motion/mass_properties.hpp"
-#include "model/motion/vectors.hpp"
+#include "model/numerics/vectors.hpp"
 #include "model/numerics/parallel.hpp"
 
 namespace femsph {

@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "model/motion/surface.hpp"
-#include "model/scene/box_grid.hpp"
+#include "model/numerics/box_grid.hpp"
 
 namespace femsph {
 

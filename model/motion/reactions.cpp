@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "model/motion/vectors.hpp"
+#include "model/numerics/vectors.hpp"
 
 namespace femsph {
 

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "model/motion/archive.hpp"
+#include "model/numerics/archive.hpp"
 #include "model/scene/scene.hpp"
 
 namespace femsph {

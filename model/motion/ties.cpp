@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "model/motion/march.hpp"
-#include "model/motion/vectors.hpp"
+#include "model/numerics/vectors.hpp"
 
 namespace femsph {
 

@@ -14,7 +14,7 @@
 #include <string>
 #include <vector>
 
-#include "model/motion/archive.hpp"
+#include "model/numerics/archive.hpp"
 #include "model/motion/surface.hpp"
 
 namespace femsph {

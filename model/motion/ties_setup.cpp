@@ -9,8 +9,8 @@
 #include "model/motion/march.hpp"
 #include "model/motion/overlap.hpp"
 #include "model/motion/ties.hpp"
-#include "model/motion/vectors.hpp"
-#include "model/scene/box_grid.hpp"
+#include "model/numerics/vectors.hpp"
+#include "model/numerics/box_grid.hpp"
 
 namespace femsph {
 

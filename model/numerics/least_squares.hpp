@@ -3,7 +3,8 @@
 #include <span>
 #include <vector>
 
-#include "model/motion/discretization.hpp"
+#include "model/numerics/tensor.hpp"
+#include "model/numerics/weight.hpp"
 
 namespace femsph {
 

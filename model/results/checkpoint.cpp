@@ -7,7 +7,7 @@
 #include "model/results/hdf5.hpp"
 #include "model/results/record.hpp"
 #include "model/results/whole_file.hpp"
-#include "model/scene/faults.hpp"
+#include "model/input/faults.hpp"
 
 namespace femsph {
 

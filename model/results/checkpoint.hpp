@@ -7,7 +7,7 @@
 #include <string_view>
 #include <vector>
 
-#include "model/motion/archive.hpp"
+#include "model/numerics/archive.hpp"
 
 namespace femsph {
 

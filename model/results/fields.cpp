@@ -11,8 +11,8 @@
 #include <optional>
 #include <stdexcept>
 
-#include "model/motion/principal.hpp"
-#include "model/motion/recovery.hpp"
+#include "model/numerics/principal.hpp"
+#include "model/results/recovery.hpp"
 #include "model/numerics/parallel.hpp"
 #include "model/results/hdf5.hpp"
 #include "model/results/whole_file.hpp"

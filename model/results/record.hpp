@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "model/motion/ledger.hpp"
-#include "model/results/price.hpp"
+#include "model/motion/price.hpp"
 
 namespace femsph {
 

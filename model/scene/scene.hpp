@@ -11,8 +11,8 @@
 #include <vector>
 
 #include "model/material/law.hpp"
-#include "model/scene/faults.hpp"
-#include "model/scene/shape.hpp"
+#include "model/input/faults.hpp"
+#include "model/scene/shapes/shape.hpp"
 
 namespace femsph {
 
@@ -136,7 +136,7 @@ struct Contact {
 /// plastic_strain: equivalent; equivalent_stress: von Mises; principal_stress: the largest first, the one across a plane included.
 enum class Quantity { displacement, velocity, stress, strain, plastic_strain, equivalent_stress, principal_stress };
 
-/// How stress and strain are read at a point: by the one rule of model/motion/recovery.hpp, or by the discretization's own interpolation of its
+/// How stress and strain are read at a point: by the one rule of model/results/recovery.hpp, or by the discretization's own interpolation of its
 /// material points, whose order at a surface is the method's own affair.
 enum class StressReading { recovered, raw };
 

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "model/scene/structured_shapes.hpp"
+#include "model/scene/shapes/structured_shapes.hpp"
 
 namespace femsph {
 namespace {

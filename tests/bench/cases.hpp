@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "compare/run.hpp"
+#include "compare/run/run.hpp"
 
 namespace femsph::bench {
 

@@ -17,7 +17,7 @@
 #include "fem/fem.hpp"
 #include "model/motion/march.hpp"
 #include "model/numerics/parallel.hpp"
-#include "model/scene/reader.hpp"
+#include "model/scene/reader/reader.hpp"
 #include "sph/sph.hpp"
 
 namespace {

@@ -2,10 +2,10 @@
 
 #include <stdexcept>
 
-#include "fem/cell_loop_impl.hpp"
-#include "fem/one_point.hpp"
-#include "sph/discretize.hpp"
-#include "sph/total_lagrangian.hpp"
+#include "fem/elements/cell_loop_impl.hpp"
+#include "fem/elements/one_point.hpp"
+#include "sph/formulations/discretize.hpp"
+#include "sph/formulations/total_lagrangian.hpp"
 
 namespace femsph {
 

@@ -8,7 +8,7 @@
 #include "model/motion/march.hpp"
 #include "model/numerics/array.hpp"
 #include "model/numerics/parallel.hpp"
-#include "model/results/price.hpp"
+#include "model/motion/price.hpp"
 
 namespace femsph::bench {
 

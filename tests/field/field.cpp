@@ -11,7 +11,7 @@
 #include <sstream>
 #include <thread>
 
-#include "compare/readme.hpp"
+#include "compare/report/readme.hpp"
 #include "tests/field/case.hpp"
 
 namespace {

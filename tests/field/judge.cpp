@@ -13,8 +13,8 @@
 #include <sstream>
 #include <stdexcept>
 
-#include "compare/errors.hpp"
-#include "model/scene/units.hpp"
+#include "compare/measure/errors.hpp"
+#include "model/input/units.hpp"
 #include "tests/field/case.hpp"
 
 namespace femsph::field {

@@ -3,7 +3,7 @@
 #include <cstdlib>
 #include <filesystem>
 
-#include "model/scene/toml_fields.hpp"
+#include "model/input/toml_fields.hpp"
 #include "tests/field/case.hpp"
 
 namespace femsph::field {

@@ -7,7 +7,7 @@
 #include <fstream>
 #include <stdexcept>
 
-#include "model/scene/shape.hpp"
+#include "model/scene/shapes/shape.hpp"
 
 extern "C" int LLVMFuzzerTestOneInput(const unsigned char* data, std::size_t size) {
   static const std::string file = "/dev/shm/femsph_fuzz_" + std::to_string(getpid()) + ".msh";

@@ -2,7 +2,7 @@
 
 #include <cstdlib>
 
-#include "model/scene/reader.hpp"
+#include "model/scene/reader/reader.hpp"
 
 extern "C" int LLVMFuzzerTestOneInput(const unsigned char* data, std::size_t size) {
   try {

@@ -2,7 +2,7 @@
 
 #include <cstdlib>
 
-#include "compare/study.hpp"
+#include "compare/study/reader/study.hpp"
 
 extern "C" int LLVMFuzzerTestOneInput(const unsigned char* data, std::size_t size) {
   try {

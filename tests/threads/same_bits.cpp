@@ -6,10 +6,10 @@
 
 #include <numeric>
 
-#include "compare/run.hpp"
-#include "model/motion/recorder.hpp"
+#include "compare/run/run.hpp"
+#include "model/results/recorder.hpp"
 #include "model/numerics/parallel.hpp"
-#include "model/scene/reader.hpp"
+#include "model/scene/reader/reader.hpp"
 
 namespace femsph {
 namespace {

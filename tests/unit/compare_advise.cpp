@@ -4,9 +4,9 @@
 
 #include <cmath>
 
-#include "compare/advise.hpp"
-#include "compare/commands.hpp"
-#include "compare/study_advice.hpp"
+#include "compare/price/advise.hpp"
+#include "compare/program/commands.hpp"
+#include "compare/price/study_advice.hpp"
 #include "compare_support.hpp"
 
 namespace femsph::compare {

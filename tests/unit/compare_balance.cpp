@@ -13,8 +13,8 @@
 #include <fstream>
 #include <numeric>
 
-#include "compare/run.hpp"
-#include "model/scene/reader.hpp"
+#include "compare/run/run.hpp"
+#include "model/scene/reader/reader.hpp"
 
 namespace femsph::compare {
 namespace {

@@ -5,9 +5,9 @@
 
 #include <cmath>
 
-#include "compare/errors.hpp"
-#include "compare/reduce.hpp"
-#include "compare/theory.hpp"
+#include "compare/measure/errors.hpp"
+#include "compare/measure/reduce.hpp"
+#include "compare/reference/theory.hpp"
 #include "compare_support.hpp"
 
 namespace femsph::compare {

@@ -2,7 +2,7 @@
 
 #include <gmock/gmock.h>
 
-#include "compare/claims.hpp"
+#include "compare/study/reader/claims.hpp"
 
 namespace femsph::compare {
 namespace {

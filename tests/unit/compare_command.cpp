@@ -6,8 +6,8 @@
 
 #include <limits>
 
-#include "compare/advise.hpp"
-#include "compare/commands.hpp"
+#include "compare/price/advise.hpp"
+#include "compare/program/commands.hpp"
 #include "compare_support.hpp"
 
 namespace femsph::compare {

@@ -4,9 +4,9 @@
 
 #include <cmath>
 
-#include "compare/run.hpp"
+#include "compare/run/run.hpp"
 #include "compare_support.hpp"
-#include "model/scene/reader.hpp"
+#include "model/scene/reader/reader.hpp"
 
 namespace femsph::compare {
 namespace {

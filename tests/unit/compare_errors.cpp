@@ -5,7 +5,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "compare/errors.hpp"
+#include "compare/measure/errors.hpp"
 
 namespace femsph::compare {
 namespace {

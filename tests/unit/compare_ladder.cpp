@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-#include "compare/ladder.hpp"
+#include "compare/measure/ladder.hpp"
 
 namespace femsph::compare {
 namespace {

@@ -4,8 +4,8 @@
 
 #include <cmath>
 
-#include "compare/price_tables.hpp"
-#include "compare/study_runner.hpp"
+#include "compare/price/price_tables.hpp"
+#include "compare/study/study_runner.hpp"
 #include "compare_support.hpp"
 
 namespace femsph::compare {

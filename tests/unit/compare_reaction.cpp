@@ -2,8 +2,8 @@
 
 #include <gtest/gtest.h>
 
-#include "compare/run.hpp"
-#include "model/scene/reader.hpp"
+#include "compare/run/run.hpp"
+#include "model/scene/reader/reader.hpp"
 
 namespace femsph::compare {
 namespace {

@@ -5,9 +5,9 @@
 
 #include <cmath>
 
-#include "compare/advise.hpp"
-#include "compare/reduce.hpp"
-#include "compare/study_limits.hpp"
+#include "compare/price/advise.hpp"
+#include "compare/measure/reduce.hpp"
+#include "compare/study/study_limits.hpp"
 #include "compare_support.hpp"
 
 namespace femsph::compare {

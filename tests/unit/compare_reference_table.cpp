@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-#include "compare/reference_table.hpp"
+#include "compare/reference/reference_table.hpp"
 #include "compare_support.hpp"
 
 namespace femsph::compare {

@@ -5,8 +5,8 @@
 
 #include <cmath>
 
-#include "compare/run.hpp"
-#include "model/scene/reader.hpp"
+#include "compare/run/run.hpp"
+#include "model/scene/reader/reader.hpp"
 
 namespace femsph::compare {
 namespace {

@@ -2,7 +2,7 @@
 
 #include <gmock/gmock.h>
 
-#include "compare/study_runner.hpp"
+#include "compare/study/study_runner.hpp"
 #include "compare_support.hpp"
 
 namespace femsph::compare {

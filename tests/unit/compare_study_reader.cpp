@@ -2,7 +2,7 @@
 
 #include <gmock/gmock.h>
 
-#include "compare/study.hpp"
+#include "compare/study/reader/study.hpp"
 #include "compare_support.hpp"
 
 namespace femsph::compare {

@@ -2,10 +2,10 @@
 
 #include <gmock/gmock.h>
 
-#include "compare/figures.hpp"
-#include "compare/reduce.hpp"
-#include "compare/series.hpp"
-#include "compare/study_runner.hpp"
+#include "compare/report/figures.hpp"
+#include "compare/measure/reduce.hpp"
+#include "compare/study/series.hpp"
+#include "compare/study/study_runner.hpp"
 #include "compare_support.hpp"
 
 namespace femsph::compare {

@@ -5,7 +5,7 @@
 
 #include <cmath>
 
-#include "compare/study.hpp"
+#include "compare/study/reader/study.hpp"
 #include "compare_support.hpp"
 
 namespace femsph::compare {

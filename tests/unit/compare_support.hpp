@@ -9,7 +9,7 @@
 #include <memory>
 #include <string>
 
-#include "compare/run.hpp"
+#include "compare/run/run.hpp"
 
 namespace femsph::compare::testing {
 

@@ -4,8 +4,8 @@
 
 #include <cmath>
 
-#include "compare/readme.hpp"
-#include "compare/table.hpp"
+#include "compare/report/readme.hpp"
+#include "compare/report/table.hpp"
 
 namespace femsph::compare {
 namespace {

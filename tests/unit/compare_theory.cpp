@@ -2,8 +2,8 @@
 
 #include <gmock/gmock.h>
 
-#include "compare/beam.hpp"
-#include "compare/theory.hpp"
+#include "compare/reference/beam.hpp"
+#include "compare/reference/theory.hpp"
 #include "compare_support.hpp"
 
 namespace femsph::compare {

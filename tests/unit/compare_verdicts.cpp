@@ -2,8 +2,8 @@
 
 #include <gmock/gmock.h>
 
-#include "compare/study_runner.hpp"
-#include "compare/verdicts.hpp"
+#include "compare/study/study_runner.hpp"
+#include "compare/study/reader/verdicts.hpp"
 #include "compare_support.hpp"
 
 namespace femsph::compare {

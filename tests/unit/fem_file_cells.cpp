@@ -4,9 +4,9 @@
 
 #include <gtest/gtest.h>
 
-#include "fem/mesh.hpp"
+#include "fem/mesh/mesh.hpp"
 #include "fem_support.hpp"
-#include "model/scene/mesh_check.hpp"
+#include "model/scene/shapes/mesh_check.hpp"
 
 namespace femsph::test {
 namespace {

@@ -7,7 +7,7 @@
 
 #include "fem_support.hpp"
 #include "model/motion/march.hpp"
-#include "model/scene/structured_shapes.hpp"
+#include "model/scene/shapes/structured_shapes.hpp"
 
 namespace femsph::test {
 namespace {

@@ -1,4 +1,4 @@
-// The one rule for reading stress (model/motion/recovery.hpp), on the material points of the elements.
+// The one rule for reading stress (model/results/recovery.hpp), on the material points of the elements.
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-// The physical stabilization of the one-point cell (fem/one_point.hpp): where it equals other elements, where it is exact, that it leaves no mode free,
+// The physical stabilization of the one-point cell (fem/elements/one_point.hpp): where it equals other elements, where it is exact, that it leaves no mode free,
 // and how a bent cell yields.
 
 #include <gtest/gtest.h>

@@ -3,9 +3,9 @@
 
 #include <gtest/gtest.h>
 
-#include "fem/assumed_strain.hpp"
-#include "fem/cell_loop_impl.hpp"
-#include "fem/one_point.hpp"
+#include "fem/elements/assumed_strain.hpp"
+#include "fem/elements/cell_loop_impl.hpp"
+#include "fem/elements/one_point.hpp"
 #include "fem_support.hpp"
 
 namespace femsph::test {

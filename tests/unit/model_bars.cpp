@@ -4,7 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "model/motion/bars.hpp"
-#include "model/scene/reader.hpp"
+#include "model/scene/reader/reader.hpp"
 
 namespace femsph {
 namespace {

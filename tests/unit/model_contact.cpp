@@ -7,7 +7,7 @@
 #include <random>
 
 #include "model/motion/march.hpp"
-#include "model/motion/vectors.hpp"
+#include "model/numerics/vectors.hpp"
 #include "model_grid.hpp"
 #include "model_results_fake.hpp"
 

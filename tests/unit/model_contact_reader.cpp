@@ -3,7 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "model/scene/reader.hpp"
+#include "model/scene/reader/reader.hpp"
 
 namespace femsph {
 namespace {

@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include "model/motion/vectors.hpp"
+#include "model/numerics/vectors.hpp"
 #include "model_results_fake.hpp"
 
 namespace femsph::test {

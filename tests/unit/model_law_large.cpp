@@ -9,7 +9,7 @@
 #include <cmath>
 #include <random>
 
-#include "model/material/point_stress.hpp"
+#include "model/material/laws/point_stress.hpp"
 #include "model/material/spatial_state.hpp"
 #include "model_law_support.hpp"
 

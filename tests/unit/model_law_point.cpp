@@ -2,8 +2,8 @@
 
 #include <gmock/gmock.h>
 
-#include "model/scene/faults.hpp"
-#include "model/scene/reader.hpp"
+#include "model/input/faults.hpp"
+#include "model/scene/reader/reader.hpp"
 #include "model_law_support.hpp"
 
 namespace femsph::test {

@@ -8,8 +8,8 @@
 #include <random>
 
 #include "model/material/kinematics.hpp"
-#include "model/material/point_stress.hpp"
-#include "model/scene/reader.hpp"
+#include "model/material/laws/point_stress.hpp"
+#include "model/scene/reader/reader.hpp"
 #include "model_law_support.hpp"
 
 namespace femsph::test {

@@ -3,7 +3,7 @@
 #include <random>
 
 #include "model_law_support.hpp"
-#include "model/material/return_mapping.hpp"
+#include "model/material/laws/return_mapping.hpp"
 
 namespace femsph::test {
 namespace {

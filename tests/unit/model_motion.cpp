@@ -10,7 +10,7 @@
 #include <memory>
 
 #include "model/motion/march.hpp"
-#include "model/motion/recorder.hpp"
+#include "model/results/recorder.hpp"
 
 namespace femsph {
 namespace {

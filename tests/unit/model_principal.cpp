@@ -5,7 +5,7 @@
 #include <cmath>
 #include <random>
 
-#include "model/motion/principal.hpp"
+#include "model/numerics/principal.hpp"
 #include "model/motion/discretization.hpp"
 
 namespace femsph {

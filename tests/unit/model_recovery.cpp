@@ -7,10 +7,10 @@
 #include <map>
 #include <random>
 
-#include "model/motion/recovery.hpp"
-#include "model/motion/principal.hpp"
-#include "model/motion/vectors.hpp"
-#include "model/scene/faults.hpp"
+#include "model/results/recovery.hpp"
+#include "model/numerics/principal.hpp"
+#include "model/numerics/vectors.hpp"
+#include "model/input/faults.hpp"
 
 namespace femsph::test {
 namespace {

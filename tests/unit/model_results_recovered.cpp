@@ -3,8 +3,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "model/motion/recovery.hpp"
-#include "model/motion/vectors.hpp"
+#include "model/results/recovery.hpp"
+#include "model/numerics/vectors.hpp"
 #include "model/results/fields.hpp"
 #include "tests/unit/model_grid.hpp"
 #include "tests/unit/model_results_hdf5.hpp"

@@ -10,7 +10,7 @@
 #include <random>
 #include <set>
 
-#include "model/scene/reader.hpp"
+#include "model/scene/reader/reader.hpp"
 
 using namespace femsph;
 

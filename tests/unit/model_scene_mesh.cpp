@@ -9,9 +9,9 @@
 
 #include <unistd.h>
 
-#include "model/scene/mesh_check.hpp"
-#include "model/scene/multilinear.hpp"
-#include "model/scene/reader.hpp"
+#include "model/scene/shapes/mesh_check.hpp"
+#include "model/scene/shapes/multilinear.hpp"
+#include "model/scene/reader/reader.hpp"
 
 using namespace femsph;
 

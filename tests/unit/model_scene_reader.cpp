@@ -3,7 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "model/scene/reader.hpp"
+#include "model/scene/reader/reader.hpp"
 
 using namespace femsph;
 using testing::ElementsAre;

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "model/scene/reader.hpp"
+#include "model/scene/reader/reader.hpp"
 
 namespace femsph::test {
 namespace {

@@ -8,9 +8,9 @@
 #include <map>
 #include <set>
 
-#include "model/scene/multilinear.hpp"
-#include "model/scene/reader.hpp"
-#include "model/scene/structured_shapes.hpp"
+#include "model/scene/shapes/multilinear.hpp"
+#include "model/scene/reader/reader.hpp"
+#include "model/scene/shapes/structured_shapes.hpp"
 
 namespace femsph {
 namespace {

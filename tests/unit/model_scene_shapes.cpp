@@ -15,9 +15,9 @@
 #include <random>
 #include <stdexcept>
 
-#include "model/scene/child.hpp"
-#include "model/scene/multilinear.hpp"
-#include "model/scene/shape.hpp"
+#include "model/scene/shapes/child.hpp"
+#include "model/scene/shapes/multilinear.hpp"
+#include "model/scene/shapes/shape.hpp"
 
 using namespace femsph;
 using testing::ElementsAre;

@@ -4,7 +4,7 @@
 
 #include <stdexcept>
 
-#include "model/scene/units.hpp"
+#include "model/input/units.hpp"
 
 using namespace femsph;
 

@@ -5,9 +5,9 @@
 
 #include <cmath>
 
-#include "model/scene/reader.hpp"
+#include "model/scene/reader/reader.hpp"
 #include "model/scene/singular.hpp"
-#include "model/scene/structured_shapes.hpp"
+#include "model/scene/shapes/structured_shapes.hpp"
 
 namespace femsph {
 namespace {

@@ -6,7 +6,7 @@
 #include <cmath>
 
 #include "model/motion/march.hpp"
-#include "model/scene/reader.hpp"
+#include "model/scene/reader/reader.hpp"
 
 namespace femsph {
 namespace {

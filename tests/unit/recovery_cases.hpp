@@ -8,9 +8,9 @@
 #include <optional>
 #include <random>
 
-#include "model/motion/principal.hpp"
-#include "model/motion/recovery.hpp"
-#include "model/motion/vectors.hpp"
+#include "model/numerics/principal.hpp"
+#include "model/results/recovery.hpp"
+#include "model/numerics/vectors.hpp"
 #include "model/numerics/array.hpp"
 #include "model/scene/scene.hpp"
 

@@ -6,8 +6,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "model/scene/faults.hpp"
-#include "model/scene/structured_shapes.hpp"
+#include "model/input/faults.hpp"
+#include "model/scene/shapes/structured_shapes.hpp"
 #include "sph_support.hpp"
 
 namespace femsph::test {

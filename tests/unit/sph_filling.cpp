@@ -8,9 +8,9 @@
 #include <numeric>
 
 #include "model/motion/mass_properties.hpp"
-#include "model/motion/vectors.hpp"
-#include "model/scene/structured_shapes.hpp"
-#include "sph/partial_volumes.hpp"
+#include "model/numerics/vectors.hpp"
+#include "model/scene/shapes/structured_shapes.hpp"
+#include "sph/particles/partial_volumes.hpp"
 #include "sph_support.hpp"
 
 namespace femsph::test {

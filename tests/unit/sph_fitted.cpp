@@ -9,7 +9,7 @@
 #include <numeric>
 
 #include "model/motion/march.hpp"
-#include "model/scene/structured_shapes.hpp"
+#include "model/scene/shapes/structured_shapes.hpp"
 #include "sph_support.hpp"
 
 namespace femsph::test {

@@ -5,8 +5,8 @@
 
 #include <numeric>
 
-#include "model/motion/vectors.hpp"
-#include "model/scene/structured_shapes.hpp"
+#include "model/numerics/vectors.hpp"
+#include "model/scene/shapes/structured_shapes.hpp"
 #include "sph_support.hpp"
 
 namespace femsph::test {

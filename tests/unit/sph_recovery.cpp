@@ -1,4 +1,4 @@
-// The one rule for reading stress (model/motion/recovery.hpp), on particles.
+// The one rule for reading stress (model/results/recovery.hpp), on particles.
 
 #include <gtest/gtest.h>
 

@@ -7,8 +7,8 @@
 #include "model/numerics/array.hpp"
 #include "model/numerics/parallel.hpp"
 #include "model/scene/scene.hpp"
-#include "sph/kernel.hpp"
-#include "sph/particles.hpp"
+#include "sph/operators/kernel.hpp"
+#include "sph/particles/particles.hpp"
 #include "sph/sph.hpp"
 
 namespace femsph::test {

@@ -6,9 +6,9 @@
 #include <limits>
 
 #include "model/material/point.hpp"
-#include "sph/cell_list.hpp"
-#include "sph/moving_neighbours.hpp"
-#include "sph/stretch_point.hpp"
+#include "sph/particles/cell_list.hpp"
+#include "sph/operators/moving_neighbours.hpp"
+#include "sph/formulations/stretch_point.hpp"
 #include "sph_support.hpp"
 
 namespace femsph::test {
@@ -16,7 +16,7 @@ namespace {
 
 constexpr double infinite = std::numeric_limits<double>::infinity(), nan = std::numeric_limits<double>::quiet_NaN();
 
-/// The formulas of sph/updated_lagrangian.hpp, one pair after the other, with general matrices.
+/// The formulas of sph/formulations/updated_lagrangian.hpp, one pair after the other, with general matrices.
 template <int dim, class LawType>
 struct PlainUpdated {
   static constexpr int n = symmetric_size<dim>;

@@ -2,7 +2,7 @@
 
 #include <gmock/gmock.h>
 
-#include "compare/advise.hpp"
+#include "compare/price/advise.hpp"
 #include "support.hpp"
 
 namespace femsph::test {

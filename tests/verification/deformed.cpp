@@ -5,8 +5,8 @@
 #include <cmath>
 #include <random>
 
-#include "compare/run.hpp"
-#include "model/motion/archive.hpp"
+#include "compare/run/run.hpp"
+#include "model/numerics/archive.hpp"
 #include "model/numerics/array.hpp"
 
 namespace femsph::compare {

@@ -5,10 +5,10 @@
 
 #include <cmath>
 
-#include "compare/run.hpp"
-#include "compare/study_limits.hpp"
+#include "compare/run/run.hpp"
+#include "compare/study/study_limits.hpp"
 #include "fem/fem.hpp"
-#include "model/scene/reader.hpp"
+#include "model/scene/reader/reader.hpp"
 #include "model/scene/singular.hpp"
 
 namespace femsph {

@@ -6,9 +6,9 @@
 #include <cmath>
 #include <string>
 
-#include "compare/run.hpp"
+#include "compare/run/run.hpp"
 #include "model/numerics/parallel.hpp"
-#include "model/scene/reader.hpp"
+#include "model/scene/reader/reader.hpp"
 
 namespace femsph::test {
 

@@ -4,7 +4,7 @@
 
 #include <numeric>
 
-#include "model/motion/recorder.hpp"
+#include "model/results/recorder.hpp"
 #include "support.hpp"
 
 namespace femsph::test {

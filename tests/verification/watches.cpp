@@ -10,11 +10,11 @@
 #include <regex>
 #include <sstream>
 
-#include "compare/capacity.hpp"
-#include "compare/run.hpp"
+#include "compare/run/capacity.hpp"
+#include "compare/run/run.hpp"
 #include "model/numerics/parallel.hpp"
 #include "model/motion/march.hpp"
-#include "model/scene/reader.hpp"
+#include "model/scene/reader/reader.hpp"
 #include "tests/unit/model_results_hdf5.hpp"
 
 namespace femsph::compare {

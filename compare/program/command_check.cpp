@@ -1,0 +1,107 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "compare/run/capacity.hpp"
+#include "compare/program/commands.hpp"
+#include "model/motion/mass_properties.hpp"
+#include "model/numerics/parallel.hpp"
+#include "model/motion/price.hpp"
+#include "model/scene/reader/reader.hpp"
+
+namespace femsph::compare {
+
+namespace {
+
+void print_scene(const Scene& scene) {
+  const auto line = [](const std::string& key, const std::string& value) { fmt::print("  {:<24} {}\n", key, value); };
+  fmt::print("{}: {}\n", scene.file, scene.title);
+  line("plane", scene.plane == Plane::stress ? "plane stress" : scene.plane == Plane::strain ? "plane strain" : "none: three-dimensional");
+  for (const Body& body : scene.bodies) {
+    if (body.rigid) {
+      line("body " + body.name, fmt::format("rigid {}", body.shape->describe()));
+      line("mass of " + body.name, to_text(mass_of(scene, std::size_t(&body - scene.bodies.data())), scene.dim()));
+      continue;
+    }
+    const Material& m = scene.material_of(body);
+    line("body " + body.name, fmt::format("{}, {} (E {:.4g} GPa, nu {:g}, rho {:g} kg/m3)", body.shape->describe(), m.name, m.young / 1e9, m.poisson, m.density));
+    line("mass of " + body.name, to_text(mass_of(scene, std::size_t(&body - scene.bodies.data())), scene.dim()));
+  }
+  line("supports, loads", fmt::format("{}, {}", scene.supports.size(), scene.loads.size()));
+  line("probes, sections", fmt::format("{}, {}", scene.probes.size(), scene.sections.size()));
+  line("duration", fmt::format("{:g} ms{}", scene.duration * 1e3, scene.settling ? " at most: until settled" : ""));
+}
+
+std::string effects_line(const std::vector<std::string>& on) {
+  std::string text;
+  for (const std::string& e : on) text += (text.empty() ? "" : ", ") + e;
+  return text.empty() ? "none" : text;
+}
+
+/// Every effect of a scene that this one does not ask for.
+std::string effects_off(const Scene& scene) {
+  std::string text;
+  const auto off = [&](bool on, const char* name) {
+    if (!on) text += (text.empty() ? "" : ", ") + std::string(name);
+  };
+  off(scene.large_motion, "finite rotation");
+  off(!scene.symmetries.empty(), "symmetry");
+  off(!scene.bars.empty(), "bars");
+  off(scene.is_plastic(), "plasticity");
+  off(!scene.initial_velocities.empty(), "initial velocity");
+  off(!scene.initial_displacements.empty(), "initial displacement");
+  off(!scene.contacts.empty(), "contact");
+  off(scene.gravity.has_value(), "gravity");
+  off(scene.damping.has_value(), "damping");
+  off(scene.settling.has_value(), "settling");
+  return text.empty() ? "none" : text;
+}
+
+/// Seconds of CPU for one step, from some tenths of a second of them.
+double seconds_per_step(const Scene& scene, const Method& method, const Resolution& resolution, const MarchOptions& options, double step, std::size_t units) {
+  const double steps = std::clamp(2e7 / double(units), 20.0, 2000.0);
+  Scene brief = scene;
+  brief.duration = steps * step;
+  brief.samples = 1;
+  brief.snapshots = 0;
+  RunOptions quiet;
+  quiet.march = options;
+  const RunResult r = run_scene(brief, method, resolution, quiet);
+  return r.price.cpu / double(std::max(1L, r.price.steps));
+}
+
+}  // namespace
+
+int check_command(const RunCommand& command) {
+  set_threads(checked_threads(command.threads));
+  checked_safety(command.safety);
+  const Scene scene = read_scene(command.scene);
+  print_scene(scene);
+  fmt::print("  {:<24} {}\n", "effects on", effects_line(scene.effects()));
+  fmt::print("  {:<24} {}\n", "effects off", effects_off(scene));
+  if (command.solver.empty()) {
+    for (const std::string& text : scene.warnings) print_warning(text);
+    fmt::print("for particles or elements, step, memory and time, add --solver and --spacing\n");
+    return 0;
+  }
+  const Method method = method_of(command);
+  const Resolution resolution = resolution_of(command, scene, method);
+  refuse_excess(scene, method, resolution);
+  std::vector<std::unique_ptr<Discretization>> bodies;
+  for (std::size_t b = 0; b < scene.bodies.size(); ++b)
+    if (!scene.bodies[b].rigid) bodies.push_back(discretize(scene, b, method, resolution));
+  MarchOptions options;
+  options.safety = command.safety;
+  const March march(scene, std::move(bodies), options);
+  for (const std::string& text : march.warnings()) print_warning(text);
+  fmt::print("by {}:\n", method.name);
+  for (const auto& [key, value] : derived_values(march))
+    if (key != "effects on") fmt::print("  {:<24} {}\n", key, value);
+  const double each = seconds_per_step(scene, method, resolution, options, march.dt(), march.price().units);
+  fmt::print("  {:<24} {:.2g} s of CPU ({:.3g} ns a unit and step, measured)\n", "time", each * double(march.planned_steps()),
+             1e9 * each / double(march.price().units));
+  return 0;
+}
+
+}  // namespace femsph::compare

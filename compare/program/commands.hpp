@@ -1,0 +1,109 @@
+#pragma once
+// What the command line asks for, and the functions that do it.
+
+#include <array>
+#include <memory>
+#include <optional>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include "compare/run/run.hpp"
+#include "compare/study/study_runner.hpp"
+
+namespace femsph::compare {
+
+/// `femsph run`, and the options it shares with `femsph check`.
+struct RunCommand {
+  std::string scene;
+  std::string solver;  ///< sph, fem, or a method's name
+  std::optional<std::string> spacing;
+  std::vector<int> divisions;
+  std::optional<double> smoothing;
+  std::optional<std::string> kernel, mass, kernel_volume, dilatation;
+  std::vector<double> viscosity;  ///< alpha, beta, gamma
+  std::optional<double> hourglass;
+  bool projection = true;
+  double safety = 0.9;
+  int threads = 1;
+  std::string out;
+  bool fields = true;
+  std::string command;  ///< the command line, for the record
+  std::vector<std::string> arguments;      ///< the same, word by word, for a checkpoint
+  std::optional<std::string> checkpoint;   ///< "1000" steps, or "10 min" of the wall clock
+  std::shared_ptr<const Checkpoint> from;  ///< `femsph resume`: go on from here, in place of reading the scene file
+};
+
+/// Returns the exit code. Throws what run_scene throws.
+int run_command(const RunCommand& command);
+/// Reads the scene; with a solver and a resolution also discretizes it, and prints what follows: sizes, critical step, memory, time.
+int check_command(const RunCommand& command);
+
+/// `femsph point`: one material point along a path of strains.
+struct PointCommand {
+  std::string scene, material, path;
+  std::string plane, integration;  ///< empty: as the scene says
+  std::string out;                 ///< empty: to the terminal
+};
+int point_command(const PointCommand& command);
+
+/// `femsph advise`: which method, how fine?
+struct AdviseCommand {
+  std::string scene;
+  std::string error, within;             ///< one of them: "1%" or "0.01"; "10 min"
+  std::string probe, component, reduce;  ///< empty: the first probe, its largest component, its end (settling) or peak
+  std::vector<std::string> methods;      ///< empty: the four elements, classic (share) and corrected SPH
+  std::string budget = "30 s";
+  double safety = 0.98;
+  bool run = false;                      ///< make the advised run too
+};
+/// Returns the exit code: 0, or 3 when there is no advice. Throws BadCommand.
+int advise_command(const AdviseCommand& command);
+
+/// A command line that cannot be followed, with one sentence.
+class BadCommand : public std::runtime_error {
+ public:
+  using std::runtime_error::runtime_error;
+};
+
+inline constexpr int most_threads = 512, most_divisions = 1'000'000;
+
+/// The method and resolution that a command line asks for. Throw BadCommand, with "did you mean": for numbers out of their range, and for
+/// options that would do nothing.
+Method method_of(const RunCommand& command);
+Resolution resolution_of(const RunCommand& command, const Scene& scene, const Method& method);
+/// The number, if it is in its range. Throw BadCommand.
+int checked_threads(int threads);
+double checked_safety(double safety);
+
+/// "warning: TEXT" on stderr.
+void print_warning(const std::string& text);
+
+/// Version, git state, compiler, libraries: a line each.
+std::string version_text();
+
+/// `femsph study NAME|FILE`.
+struct StudyCommand {
+  std::string name;             ///< a study's name, its folder, or its study.toml
+  std::string out = "results";  ///< the study writes OUT/NAME/
+  bool quick = false;
+  int threads = 1;
+  bool update_readme = false;  ///< rewrite the table in the study's README.md
+  std::string program;         ///< argv[0], to find the studies that come with the program
+  std::string command;         ///< the command line, for the records
+};
+
+/// Runs a study and writes its tables, data and figures. Returns the exit code: 0, or 3 when a run, a figure or a claim's row is missing.
+/// Throws InputError or std::runtime_error when the study cannot be started or its results cannot be written.
+int study_command(const StudyCommand& command);
+
+/// `femsph list`: the studies found, the methods and the theory values. Returns 0.
+int list_command(const std::string& program);
+
+/// The folder that holds the studies: $FEMSPH_STUDIES, else ./studies, else ../../studies beside the program. Throws std::runtime_error.
+std::string studies_folder(const std::string& program);
+
+/// study_command with another engine.
+int study_command(const StudyCommand& command, const Engine& engine);
+
+}  // namespace femsph::compare

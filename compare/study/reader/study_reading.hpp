@@ -1,0 +1,40 @@
+#pragma once
+// The pieces of the study reader: each reads one part of study.toml.
+
+#include "compare/study/reader/study.hpp"
+#include "model/input/toml_fields.hpp"
+
+namespace femsph::compare {
+
+/// What a reader of one part needs to know of the rest.
+struct StudyReading {
+  Study& study;
+  Faults& faults;
+  std::string default_scene;
+};
+
+/// The file of a scene, read on first use; nothing, with a fault at `key`, when it cannot be read.
+const Scene* scene_of(const Fields& fields, const char* key, const std::string& file, StudyReading& reading);
+
+void read_runs(Fields& root, StudyReading& reading);  // study_runs.cpp
+void read_limit(Fields& root, StudyReading& reading);
+void read_repeat(Fields& root, StudyReading& reading);
+void read_quantities(Fields& root, StudyReading& reading);  // study_quantities.cpp
+void read_series(Fields& root, StudyReading& reading);
+void read_paper(Fields& root, StudyReading& reading);  // study_claims.cpp
+void read_claims(Fields& root, StudyReading& reading);
+void read_bounds(Fields& root, StudyReading& reading);  // study_bounds.cpp: [[bounds]] and [[expectations]]
+
+void read_prices(Fields& root, StudyReading& reading);  // study_prices.cpp
+void read_advice(Fields& root, StudyReading& reading);
+std::vector<Method> read_methods(Fields& fields, Need need);  // study_runs.cpp
+
+/// "20x2" or "20x2x1". Nothing if it is neither.
+std::optional<std::array<int, 3>> parse_divisions(const std::string& text);
+/// A list of names known to the study; faults with "did you mean" for the others.
+std::vector<std::string> read_names(Fields& fields, const char* key, const std::vector<std::string>& known, const std::string& what);
+std::vector<std::string> case_names(const Study& study);
+std::vector<std::string> method_labels(const Study& study);
+std::vector<std::string> quantity_names(const Study& study);
+
+}  // namespace femsph::compare

@@ -1,0 +1,45 @@
+#pragma once
+// Did a run stay stable? Bounds that every row must keep, failures that must occur, and the verdict on each row.
+
+#include <algorithm>
+
+#include "compare/report/table.hpp"
+
+namespace femsph::compare {
+
+/// `name` is one of `names`; a list without names means all.
+inline bool listed(const std::vector<std::string>& names, const std::string& name) {
+  return names.empty() || std::find(names.begin(), names.end(), name) != names.end();
+}
+
+/// Bounds of the rows of some cases, methods and quantity (empty: all). Where several match, the last one that names a bound counts.
+struct Bound {
+  std::vector<std::string> cases, methods;
+  std::string quantity;
+  std::optional<double> energy_drift, momentum_drift, angular_momentum_drift, hourglass_share;  ///< shares of 1
+  std::optional<double> error_percent;  ///< of the magnitude of the error against theory or reference
+  std::optional<double> low, high;      ///< of the value, in the unit of the table
+};
+
+/// A failure that must occur: the run stops, or a row breaks a bound, and says so with some of these words.
+struct Expectation {
+  std::vector<std::string> cases, methods;
+  std::vector<std::string> messages;  ///< one of them is part of what the failure says
+  std::string reason;                 ///< why it must be so
+};
+
+struct JudgedRow {
+  enum class Verdict { stable, expected_failure, failed } verdict = Verdict::failed;
+  const Row* row = nullptr;
+  std::string reason;  ///< what broke; empty if nothing did
+};
+
+/// From the rows alone. An expected failure that does not occur is a failed row.
+std::vector<JudgedRow> judge(const std::vector<Bound>& bounds, const std::vector<Expectation>& expectations, const std::vector<Row>& rows);
+
+/// case, method, verdict, reason, the drifts, quantity, value, reference, error_percent, steps, cpu_s.
+std::string csv(const std::vector<JudgedRow>& judged);
+/// The counts, and one table for people.
+std::string markdown(const std::vector<JudgedRow>& judged);
+
+}  // namespace femsph::compare

@@ -1,0 +1,41 @@
+#pragma once
+// Makes the runs of a study and takes its numbers from them.
+
+#include <functional>
+#include <set>
+
+#include "compare/run/run.hpp"
+#include "compare/study/reader/study.hpp"
+
+namespace femsph::compare {
+
+/// What a study computes with; tests put something else in its place.
+struct Engine {
+  std::function<RunResult(const Scene&, const Method&, const Resolution&, const RunOptions&)> run;
+  std::function<fem::StaticLimit(const Scene&, const std::array<int, 3>& divisions, int degree)> limit;
+};
+
+struct FinishedRun {
+  const PlannedRun* plan;
+  RunResult result;
+  std::size_t first_row = 0, row_count = 0;  ///< its rows in StudyOutcome::rows
+};
+
+struct StudyOutcome {
+  std::vector<Row> rows;
+  std::vector<FinishedRun> runs;  ///< those that finished
+  int failures = 0;
+  std::set<std::string> warnings;  ///< of the runs, each once
+};
+
+struct StudyOptions {
+  bool quick = false;
+  std::string command;                                 ///< for the records
+  std::function<void(const std::string& line)> log;    ///< one line for each run
+  std::function<void(const StudyOutcome&)> after_run;  ///< so that what is there is kept, whatever comes
+};
+
+/// One run after the other. A run that fails becomes rows with a reason, and the study goes on.
+StudyOutcome run_study(const Study& study, const Engine& engine, const StudyOptions& options);
+
+}  // namespace femsph::compare

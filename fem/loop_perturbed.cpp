@@ -1,8 +1,0 @@
-#include "fem/cell_loop_impl.hpp"
-#include "fem/one_point.hpp"
-
-namespace femsph::fem {
-
-std::unique_ptr<CellLoop> make_perturbed_loop(const LoopInput& in) { return choose_loop<PerturbedElement>(in); }
-
-}  // namespace femsph::fem

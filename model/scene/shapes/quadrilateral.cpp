@@ -1,0 +1,94 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+
+#include "model/scene/shapes/multilinear.hpp"
+#include "model/scene/shapes/structured_shapes.hpp"
+
+namespace femsph {
+
+namespace {
+
+const std::vector<std::string> names = {"bottom", "right", "top", "left"};
+
+Patch patch_of(const std::array<Point, 4>& c) { return {2, {c[0], c[1], c[3], c[2]}}; }
+
+}  // namespace
+
+Point Quadrilateral::lower() const {
+  Point p = corners_[0];
+  for (const Point& c : corners_)
+    for (int a = 0; a < 3; ++a) p[a] = std::min(p[a], c[a]);
+  return p;
+}
+
+Point Quadrilateral::upper() const {
+  Point p = corners_[0];
+  for (const Point& c : corners_)
+    for (int a = 0; a < 3; ++a) p[a] = std::max(p[a], c[a]);
+  return p;
+}
+
+/// Left of all four edges: the corners are convex and run counterclockwise.
+bool Quadrilateral::contains(const Point& p, double tolerance) const {
+  for (int k = 0; k < 4; ++k) {
+    const Point &a = corners_[k], &b = corners_[(k + 1) % 4];
+    const double x = b[0] - a[0], y = b[1] - a[1];
+    if (!(x * (p[1] - a[1]) - y * (p[0] - a[0]) >= -tolerance * std::hypot(x, y))) return false;
+  }
+  return true;
+}
+
+std::vector<std::string> Quadrilateral::sides() const {
+  std::vector<std::string> all = Shape::sides();
+  all.insert(all.end(), names.begin(), names.end());
+  return all;
+}
+
+bool Quadrilateral::on_side(const std::string& side, const Point& p, double tolerance) const {
+  const auto found = std::find(names.begin(), names.end(), side);
+  if (found == names.end()) return Shape::on_side(side, p, tolerance);
+  const auto k = std::size_t(found - names.begin());
+  return distance(Patch{1, {corners_[k], corners_[(k + 1) % 4]}}, p) <= tolerance;
+}
+
+double Quadrilateral::measure() const { return femsph::measure(patch_of(corners_)); }
+
+Point Quadrilateral::centroid() const {
+  Point c = first_moment(patch_of(corners_));
+  for (double& x : c) x /= measure();
+  return c;
+}
+
+/// The body lies to the left of each edge from corner to corner.
+std::vector<SidePiece> Quadrilateral::side_pieces(const std::string& side, double size) const {
+  std::vector<SidePiece> pieces;
+  for (std::size_t k = 0; k < 4; ++k)
+    if (names[k] == side) add_pieces({1, {corners_[k], corners_[(k + 1) % 4]}}, size, 1, pieces);
+  return pieces;
+}
+
+std::string Quadrilateral::describe() const {
+  std::string text = "quadrilateral with corners";
+  for (const Point& c : corners_) text += fmt::format(" ({:g}, {:g})", 1e3 * c[0], 1e3 * c[1]);
+  return text + " mm";
+}
+
+CellMesh Quadrilateral::mesh(const std::array<int, 3>& divisions) const {
+  const int n = divisions[0], m = divisions[1];
+  if (n < 1 || m < 1) throw std::runtime_error("a quadrilateral needs at least one cell along each side");
+  CellMesh mesh;
+  const Patch patch = patch_of(corners_);
+  for (int j = 0; j <= m; ++j)
+    for (int i = 0; i <= n; ++i) mesh.vertices.push_back(patch.at({double(i) / n, double(j) / m, 0}));
+  for (int j = 0; j < m; ++j)
+    for (int i = 0; i < n; ++i) {
+      const int v = j * (n + 1) + i;
+      mesh.cells.push_back({v, v + 1, v + n + 1, v + n + 2});
+    }
+  return mesh;
+}
+
+}  // namespace femsph

@@ -1,0 +1,7 @@
+#include "sph/formulations/total_lagrangian_make.hpp"
+
+namespace femsph::sph {
+
+template std::unique_ptr<Discretization> total_lagrangian<3>(const Scene&, std::size_t, const Options&, Particles, const Kernel&);
+
+}  // namespace femsph::sph

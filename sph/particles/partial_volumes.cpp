@@ -1,0 +1,312 @@
+#include "sph/particles/partial_volumes.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "model/motion/discretization.hpp"
+#include "model/scene/shapes/multilinear.hpp"
+
+namespace femsph::sph {
+
+namespace {
+
+enum : char { empty, full, cut };
+
+class Hats {
+ public:
+  Hats(const Shape& shape, const Lattice& lattice, const std::vector<MirrorPlane>& planes) : shape_(shape), l_(lattice), planes_(planes), dim_(shape.dim()) {
+    for (int a = 0; a < dim_; ++a) cells_[a] = l_.count[a] - 1, spacing_ = a ? std::min(spacing_, l_.spacing[a]) : l_.spacing[a];
+    out_.share.assign(l_.at.size(), 0.0);
+    out_.border.assign(l_.at.size(), 0);
+    state_.assign(std::size_t(cells_[0]) * cells_[1] * cells_[2], full);
+  }
+
+  /// Which cells are full, empty, cut?
+  void look() {
+    const CellMesh* mesh = shape_.cells();
+    if (mesh) mark_sides(*mesh);
+    if (!dynamic_cast<const Box*>(&shape_)) each_cell([&](const std::array<int, 3>& c) { look_at(c, mesh != nullptr); });
+  }
+  bool any_cut() const { return std::find(state_.begin(), state_.end(), cut) != state_.end(); }
+
+  PartialVolumes integrate() {
+    const CellMesh* mesh = shape_.cells();
+    look();
+    each_cell([&](const std::array<int, 3>& c) {
+      const char state = state_[cell(c)];
+      for (int v = 0; v < 1 << dim_; ++v) {
+        if (state == full) out_.share[node(c, v)] += 1.0 / (1 << dim_);
+        if (state == cut) out_.border[node(c, v)] = 1;
+      }
+    });
+    if (mesh) add_mesh(*mesh);
+    else each_cell([&](const std::array<int, 3>& c) {
+      if (state_[cell(c)] == cut) add_lines(c);
+    });
+    match();
+    return std::move(out_);
+  }
+
+ private:
+  std::size_t cell(const std::array<int, 3>& c) const { return std::size_t(c[0]) + std::size_t(cells_[0]) * (std::size_t(c[1]) + std::size_t(cells_[1]) * c[2]); }
+  std::size_t node(const std::array<int, 3>& c, int v) const {
+    return std::size_t(c[0] + (v & 1)) + std::size_t(l_.count[0]) * (std::size_t(c[1] + (v >> 1 & 1)) + std::size_t(l_.count[1]) * std::size_t(c[2] + (v >> 2 & 1)));
+  }
+  /// The point at xi of a cell.
+  Point at(const std::array<int, 3>& c, const std::array<double, 3>& xi) const {
+    Point x = l_.origin;
+    for (int a = 0; a < dim_; ++a) x[a] += (c[a] + xi[a]) * l_.spacing[a];
+    return x;
+  }
+  template <class Act>
+  void each_cell(Act&& act) const {
+    for (int k = 0; k < cells_[2]; ++k)
+      for (int j = 0; j < cells_[1]; ++j)
+        for (int i = 0; i < cells_[0]; ++i) act({i, j, k});
+  }
+  double hat(int v, const std::array<double, 3>& xi) const {
+    double phi = 1;
+    for (int a = 0; a < dim_; ++a) phi *= v >> a & 1 ? xi[a] : 1 - xi[a];
+    return phi;
+  }
+
+  /// Cells of the lattice whose inside a free side of the mesh's cells crosses; one that lies on the lattice crosses none.
+  void mark_sides(const CellMesh& mesh) {
+    Topology cells{dim_ == 2 ? Topology::Kind::quadrilaterals : Topology::Kind::hexahedra, {}};
+    constexpr std::array<std::size_t, 8> vtk{0, 1, 3, 2, 4, 5, 7, 6};
+    for (const auto& own : mesh.cells) {
+      std::array<std::size_t, 8> c{};
+      for (std::size_t v = 0; v < std::size_t(1) << dim_; ++v) c[v] = std::size_t(own[vtk[v]]);
+      cells.cells.push_back(c);
+    }
+    for (const Facet& facet : boundary_of(cells)) {
+      Patch patch{dim_ - 1, {}};
+      for (int v = 0; v < patch.corner_count(); ++v) patch.corners[v] = mesh.vertices[facet.points[std::size_t(vtk[std::size_t(v)])]];
+      const auto n = cuts(patch, 0.5 * spacing_);
+      for (int j = 0; j < n[1]; ++j)
+        for (int i = 0; i < n[0]; ++i) mark_piece(patch, {double(i) / n[0], double(j) / n[1]}, {double(i + 1) / n[0], double(j + 1) / n[1]});
+    }
+  }
+  void mark_piece(const Patch& patch, const std::array<double, 2>& low, const std::array<double, 2>& high) {
+    std::array<int, 3> first{}, last{};
+    for (int a = 0; a < dim_; ++a) {
+      double least = 0, most = 0;
+      for (int v = 0; v < patch.corner_count(); ++v) {
+        const double x = (patch.at({v & 1 ? high[0] : low[0], v >> 1 & 1 ? high[1] : low[1], 0})[a] - l_.origin[a]) / l_.spacing[a];
+        least = v ? std::min(least, x) : x, most = v ? std::max(most, x) : x;
+      }
+      first[a] = std::max(0, int(std::floor(least + 1e-6)));
+      last[a] = std::min(cells_[a] - 1, int(std::ceil(most - 1e-6)) - 1);
+    }
+    for (int k = first[2]; k <= last[2]; ++k)
+      for (int j = first[1]; j <= last[1]; ++j)
+        for (int i = first[0]; i <= last[0]; ++i) state_[cell({i, j, k})] = cut;
+  }
+
+  /// Full, empty, or cut? Of a mesh the cut ones are known.
+  void look_at(const std::array<int, 3>& c, bool mesh) {
+    if (state_[cell(c)] == cut) return;
+    const double e = 1e-6;  // off the cell's own sides, which may be the body's
+    if (mesh) {
+      state_[cell(c)] = shape_.contains(at(c, {0.5, 0.5, 0.5}), e * spacing_) ? full : empty;
+      return;
+    }
+    int inside = 0, all = dim_ == 3 ? 27 : 9;
+    const double xi[3] = {e, 0.5, 1 - e};
+    for (int s = 0; s < all; ++s) inside += shape_.contains(at(c, {xi[s % 3], xi[s / 3 % 3], xi[s / 9]}), 0.0);
+    state_[cell(c)] = inside == all ? full : inside == 0 ? empty : cut;
+  }
+
+  /// A cut cell along lines: of the axes the one across the side. On each line the pieces inside are found by bisection, and the hats integrated exactly.
+  void add_lines(const std::array<int, 3>& c) {
+    const int axis = axis_across(c), lines = dim_ == 3 ? 6 : 12;
+    for (int q = 0; q < (dim_ == 3 ? lines * lines : lines); ++q) {
+      std::array<double, 3> xi{};
+      const double across[2] = {(q % lines + 0.5) / lines, (q / lines + 0.5) / lines};
+      for (int a = 0, k = 0; a < dim_; ++a)
+        if (a != axis) xi[a] = across[k++];
+      const double weight = dim_ == 3 ? 1.0 / (lines * lines) : 1.0 / lines;
+      for (const auto& [from, to] : pieces_inside(c, xi, axis))
+        for (int v = 0; v < 1 << dim_; ++v) {
+          xi[axis] = v >> axis & 1 ? 1 : 0;  // the other factors
+          const double along = v >> axis & 1 ? 0.5 * (to * to - from * from) : (to - from) - 0.5 * (to * to - from * from);
+          out_.share[node(c, v)] += weight * hat(v, xi) * along;
+        }
+    }
+  }
+  int axis_across(const std::array<int, 3>& c) const {
+    int best = 0, most = -1;
+    for (int axis = 0; axis < dim_; ++axis) {
+      int difference = 0;
+      const double xi[3] = {0.1, 0.5, 0.9};
+      for (int s = 0; s < (dim_ == 3 ? 27 : 9); ++s) {
+        std::array<double, 3> p{xi[s % 3], xi[s / 3 % 3], xi[s / 9]};
+        const double side = p[axis] - 0.5;
+        if (side != 0) difference += (side > 0 ? 1 : -1) * int(shape_.contains(at(c, p), 0.0));
+      }
+      if (std::abs(difference) > most) most = std::abs(difference), best = axis;
+    }
+    return best;
+  }
+  std::vector<std::pair<double, double>> pieces_inside(const std::array<int, 3>& c, std::array<double, 3> xi, int axis) const {
+    const auto inside = [&](double t) {
+      xi[axis] = t;
+      return shape_.contains(at(c, xi), 0.0);
+    };
+    constexpr int looks = 8;
+    std::vector<std::pair<double, double>> out;
+    bool before = inside(1e-9);
+    double from = 0;
+    for (int k = 1; k <= looks; ++k) {
+      const double end = k == looks ? 1 - 1e-9 : double(k) / looks;
+      const bool now = inside(end);
+      if (now != before) {
+        double low = double(k - 1) / looks, high = end;
+        for (int halves = 0; halves < 28; ++halves) {
+          const double middle = 0.5 * (low + high);
+          (inside(middle) == before ? low : high) = middle;
+        }
+        if (now) from = high;
+        else out.push_back({from, low});
+      }
+      before = now;
+    }
+    if (before) out.push_back({from, 1.0});
+    return out;
+  }
+
+  static std::array<int, 3> cuts(const Patch& patch, double size) {
+    std::array<int, 3> n{1, 1, 1};
+    for (int a = 0; a < patch.k; ++a)
+      for (int v = 0; v < patch.corner_count(); ++v) {
+        if (v >> a & 1) continue;
+        const Point &p = patch.corners[v], &q = patch.corners[v | 1 << a];
+        n[a] = std::max(n[a], int(std::ceil(std::hypot(p[0] - q[0], p[1] - q[1], p[2] - q[2]) / size)));
+      }
+    return n;
+  }
+
+  /// The places at cut cells anew, by Gauss points of a mesh's cells cut into pieces that are small against the lattice's.
+  void add_mesh(const CellMesh& mesh) {
+    for (std::size_t i = 0; i < out_.share.size(); ++i)
+      if (out_.border[i]) out_.share[i] = 0;
+    std::vector<char> near(state_.size(), 0);  // within one cell of one with such a place
+    each_cell([&](const std::array<int, 3>& c) {
+      bool any = false;
+      for (int v = 0; v < 1 << dim_; ++v) any = any || out_.border[node(c, v)];
+      if (!any) return;
+      std::array<int, 3> first{}, last{};
+      for (int a = 0; a < 3; ++a) first[a] = std::max(0, c[a] - 1), last[a] = std::min(cells_[a] - 1, c[a] + 1);
+      for (int k = first[2]; k <= last[2]; ++k)
+        for (int j = first[1]; j <= last[1]; ++j)
+          for (int i = first[0]; i <= last[0]; ++i) near[cell({i, j, k})] = 1;
+    });
+    double volume = 1;
+    for (int a = 0; a < dim_; ++a) volume *= l_.spacing[a];
+    const double g[2] = {0.5 - 0.5 / std::sqrt(3.0), 0.5 + 0.5 / std::sqrt(3.0)};
+    for (const auto& own : mesh.cells) {
+      Patch patch{dim_, {}};
+      for (int v = 0; v < patch.corner_count(); ++v) patch.corners[v] = mesh.vertices[own[v]];
+      const auto n = cuts(patch, spacing_ / (dim_ == 3 ? 3 : 6));
+      for (int s = 0; s < n[0] * n[1] * n[2]; ++s) {
+        const std::array<int, 3> at{s % n[0], s / n[0] % n[1], s / n[0] / n[1]};
+        const auto inner = [&](double x, double y, double z) { return std::array<double, 3>{(at[0] + x) / n[0], (at[1] + y) / n[1], (at[2] + z) / n[2]}; };
+        if (!near[cell(cell_of(patch.at(inner(0.5, 0.5, 0.5))).first)]) continue;
+        for (int q = 0; q < patch.corner_count(); ++q) {
+          const auto xi = inner(g[q & 1], g[q >> 1 & 1], g[q >> 2 & 1]);
+          const double weight = determinant(patch, xi) / (patch.corner_count() * volume * n[0] * n[1] * n[2]);
+          const auto [c, part] = cell_of(patch.at(xi));
+          for (int v = 0; v < 1 << dim_; ++v)
+            if (out_.border[node(c, v)]) out_.share[node(c, v)] += weight * hat(v, part);
+        }
+      }
+    }
+  }
+  std::pair<std::array<int, 3>, std::array<double, 3>> cell_of(const Point& x) const {
+    std::pair<std::array<int, 3>, std::array<double, 3>> out{};
+    for (int a = 0; a < dim_; ++a) {
+      const double t = (x[a] - l_.origin[a]) / l_.spacing[a];
+      out.first[a] = std::clamp(int(std::floor(t)), 0, cells_[a] - 1);
+      out.second[a] = std::clamp(t - out.first[a], 0.0, 1.0);
+    }
+    return out;
+  }
+
+  void match() {
+    if (std::none_of(out_.border.begin(), out_.border.end(), [](char b) { return b != 0; })) return;
+    std::vector<Point> places(out_.share.size());
+    double volume = 1;
+    for (int a = 0; a < dim_; ++a) volume *= l_.spacing[a];
+    for (std::size_t i = 0; i < places.size(); ++i) {
+      const std::size_t n = std::size_t(l_.count[0]), m = std::size_t(l_.count[1]);
+      const std::size_t index[3] = {i % n, i / n % m, i / n / m};
+      places[i] = l_.origin;
+      for (int a = 0; a < dim_; ++a) places[i][a] += double(index[a]) * l_.spacing[a];
+      out_.share[i] *= volume;
+    }
+    match_moments(shape_, planes_, places, out_.border, out_.share);
+    for (double& share : out_.share) share /= volume;
+  }
+
+  const Shape& shape_;
+  const Lattice& l_;
+  const std::vector<MirrorPlane> planes_;
+  int dim_;
+  double spacing_ = 0;
+  std::array<int, 3> cells_{1, 1, 1};
+  std::vector<char> state_;
+  PartialVolumes out_;
+};
+
+}  // namespace
+
+PartialVolumes partial_volumes(const Shape& shape, const Lattice& lattice, const std::vector<MirrorPlane>& planes) {
+  return Hats(shape, lattice, planes).integrate();
+}
+
+bool follows_sides(const Shape& shape, const Lattice& lattice) {
+  Hats hats(shape, lattice, {});
+  hats.look();
+  return !hats.any_cut();
+}
+
+void match_moments(const Shape& shape, const std::vector<MirrorPlane>& planes, const std::vector<Point>& at, const std::vector<char>& which,
+                   std::vector<double>& volume) {
+  const int n = shape.dim() + 1;
+  const Point centroid = shape.centroid(), lower = shape.lower(), upper = shape.upper();
+  const double measure = shape.measure();
+  double A[4][5] = {};  // of the unknowns a and b, lengths over those of the bounding box; the last column the right-hand side
+  A[0][n] = measure;
+  for (std::size_t i = 0; i < at.size(); ++i) {
+    double r[4] = {1, 0, 0, 0};
+    for (int a = 1; a < n; ++a) r[a] = (at[i][a - 1] - centroid[a - 1]) / (upper[a - 1] - lower[a - 1]);
+    for (int a = 0; a < n; ++a) {
+      A[a][n] -= volume[i] * r[a];
+      for (int b = 0; which[i] && b < n; ++b) A[a][b] += volume[i] * r[a] * r[b];
+    }
+  }
+  for (const MirrorPlane& m : planes)
+    for (int a = 0; a <= n; ++a) A[m.axis + 1][a] = a < n ? A[a][m.axis + 1] = 0 : 0;
+  double worst = 0;
+  for (int a = 0; a < n; ++a) worst = std::max(worst, std::abs(A[a][n]));
+  if (worst <= 1e-13 * measure) return;
+  for (int a = 0; a < n; ++a)
+    for (int b = a + 1; b < n; ++b) {
+      const double factor = A[a][a] > 1e-12 * A[0][0] ? A[b][a] / A[a][a] : 0.0;
+      for (int c = a; c <= n; ++c) A[b][c] -= factor * A[a][c];
+    }
+  double x[4] = {};
+  for (int a = n - 1; a >= 0; --a) {
+    double rest = A[a][n];
+    for (int b = a + 1; b < n; ++b) rest -= A[a][b] * x[b];
+    x[a] = A[a][a] > 1e-12 * A[0][0] ? rest / A[a][a] : 0.0;
+  }
+  for (std::size_t i = 0; i < at.size(); ++i) {
+    if (!which[i]) continue;
+    double scale = 1 + x[0];
+    for (int a = 1; a < n; ++a) scale += x[a] * (at[i][a - 1] - centroid[a - 1]) / (upper[a - 1] - lower[a - 1]);
+    volume[i] *= scale;
+  }
+}
+
+}  // namespace femsph::sph

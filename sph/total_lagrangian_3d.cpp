@@ -1,7 +1,0 @@
-#include "sph/total_lagrangian.ipp"
-
-namespace femsph::sph {
-
-template std::unique_ptr<Discretization> total_lagrangian<3>(const Scene&, std::size_t, const Options&, Particles, const Kernel&);
-
-}  // namespace femsph::sph
