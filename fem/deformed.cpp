@@ -3,8 +3,8 @@
 #include <cstdio>
 #include <limits>
 
-#include "fem/explicit_fem.hpp"
 #include "fem/elements/gather.hpp"
+#include "fem/explicit_fem.hpp"
 #include "fem/mesh/gauss.hpp"
 #include "model/material/stiffening.hpp"
 #include "model/numerics/parallel.hpp"
@@ -32,7 +32,9 @@ struct Largest {
   std::size_t cell = 0;
   void take(const Pack& values, std::size_t batch) {
     for (int l = 0; l < lanes; ++l)
-      if (!(values[l] <= value)) value = values[l] == values[l] ? values[l] : std::numeric_limits<double>::infinity(), cell = batch * lanes + std::size_t(l);
+      if (!(values[l] <= value))
+        value = values[l] == values[l] ? values[l] : std::numeric_limits<double>::infinity(),
+        cell = batch * lanes + std::size_t(l);
   }
 };
 
@@ -40,9 +42,13 @@ struct Largest {
 template <class LargestOf>
 Largest largest_cell(const Batches& batches, LargestOf&& largest_of) {
   std::vector<Largest> of_domain((batches.count + batches_per_domain - 1) / batches_per_domain);
-  parallel_for(batches.count, batches_per_domain, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t b = begin; b < end; b += batches_per_domain) of_domain[b / batches_per_domain] = largest_of(b, std::min(b + batches_per_domain, end));
-  }, lanes);
+  parallel_for(
+      batches.count, batches_per_domain,
+      [&](std::size_t begin, std::size_t end) {
+        for (std::size_t b = begin; b < end; b += batches_per_domain)
+          of_domain[b / batches_per_domain] = largest_of(b, std::min(b + batches_per_domain, end));
+      },
+      lanes);
   Largest all;
   for (const Largest& l : of_domain)
     if (l.value > all.value) all = l;
@@ -69,7 +75,8 @@ Largest most_shrunk_cell(const Mesh& mesh, const Batches& batches, const double*
 
 /// At the points of the element: the Gauss points, or the centre.
 template <int dim, class LawType>
-Largest stiffest_cell(const Mesh& mesh, const Batches& batches, const double* u, bool at_centre, const LawType& law) {
+Largest stiffest_cell(const Mesh& mesh, const Batches& batches, const double* u, bool at_centre,
+                      const LawType& law) {
   return largest_cell(batches, [&](std::size_t begin, std::size_t end) {
     Largest worst;
     for (std::size_t b = begin; b < end; ++b) {
@@ -110,29 +117,35 @@ Point ExplicitFem::centre_now(std::size_t cell, const double* u) const {
   Point x{};
   for (int a = 0; a < mesh_.corners(); ++a) {
     const std::size_t node = static_cast<std::size_t>(mesh_.cell(cell)[a]);
-    for (int c = 0; c < mesh_.dim; ++c) x[c] += (mesh_.node(node)[c] + u[layout_.at(node, c)]) / mesh_.corners();
+    for (int c = 0; c < mesh_.dim; ++c)
+      x[c] += (mesh_.node(node)[c] + u[layout_.at(node, c)]) / mesh_.corners();
   }
   return x;
 }
 
 std::optional<Trouble> ExplicitFem::trouble(const double* u) const {
-  const Largest worst = mesh_.dim == 2 ? most_shrunk_cell<2>(mesh_, batches_, u) : most_shrunk_cell<3>(mesh_, batches_, u);
+  const Largest worst = mesh_.dim == 2 ? most_shrunk_cell<2>(mesh_, batches_, u)
+                                       : most_shrunk_cell<3>(mesh_, batches_, u);
   if (worst.value < 1) return std::nullopt;
   const std::size_t cell = cell_of(worst.cell);
   char share[32];
   std::snprintf(share, sizeof share, "%.3g", 1 - worst.value);
-  return Trouble{mesh_.cell_name(cell) + " has turned inside out: at one of its points the volume is " + share + " times what it was",
-                 "the mesh is crushed or tangled there, more than its cells can follow: try other divisions there, a gentler load, or a method of SPH",
+  return Trouble{mesh_.cell_name(cell) + " has turned inside out: at one of its points the volume is " +
+                     share + " times what it was",
+                 "the mesh is crushed or tangled there, more than its cells can follow: try other divisions "
+                 "there, a gentler load, or a method of SPH",
                  centre_now(cell, u)};
 }
 
 std::optional<Stiffening> ExplicitFem::stiffening(const double* u) const {
   return std::visit(
       [&]<class LawType>(const LawType& law) -> std::optional<Stiffening> {
-        if constexpr (!Stiffens<LawType>) return std::nullopt;
+        if constexpr (!Stiffens<LawType>)
+          return std::nullopt;
         else {
           const bool centre = element_ == Element::one_point;
-          const Largest most = mesh_.dim == 2 ? stiffest_cell<2>(mesh_, batches_, u, centre, law) : stiffest_cell<3>(mesh_, batches_, u, centre, law);
+          const Largest most = mesh_.dim == 2 ? stiffest_cell<2>(mesh_, batches_, u, centre, law)
+                                              : stiffest_cell<3>(mesh_, batches_, u, centre, law);
           const std::size_t cell = cell_of(most.cell);
           return Stiffening{most.value, mesh_.cell_name(cell), centre_now(cell, u)};
         }

@@ -43,8 +43,9 @@ Mesh checked_mesh(const Scene& scene, const Shape& shape, const Options& options
     for (int q = 0; q < mesh.corners(); ++q)
       if (!(jacobian(mesh, c, q) > 0)) {
         const Point p = map_point(mesh, c, {});
-        throw Refusal((mesh.cell_numbers.empty() ? "a cell" : mesh.cell_name(c)) + " at (" + std::to_string(p[0]) + ", " + std::to_string(p[1]) + ", " + std::to_string(p[2]) +
-                                 ") m is folded: its volume is not positive everywhere");
+        throw Refusal((mesh.cell_numbers.empty() ? "a cell" : mesh.cell_name(c)) + " at (" +
+                      std::to_string(p[0]) + ", " + std::to_string(p[1]) + ", " + std::to_string(p[2]) +
+                      ") m is folded: its volume is not positive everywhere");
       }
   return mesh;
 }
@@ -55,7 +56,8 @@ Layout interleaved(const Mesh& mesh, const Batches& batches) {
 }
 
 bool is_curved(const Shape& shape) {
-  return dynamic_cast<const Round*>(&shape) || dynamic_cast<const Ball*>(&shape) || dynamic_cast<const OwnBall*>(&shape);
+  return dynamic_cast<const Round*>(&shape) || dynamic_cast<const Ball*>(&shape) ||
+         dynamic_cast<const OwnBall*>(&shape);
 }
 
 }  // namespace
@@ -96,28 +98,38 @@ ExplicitFem::ExplicitFem(const Scene& scene, std::size_t body, const Options& op
   bars_text_ = femsph::describe(rows, scene);
   plasticity_ = material.plasticity;
   wave_speed_ = std::visit([](const auto& l) { return l.wave_speed(); }, law_);
-  loop_ = make_loop(element_, {&mesh_, &batches_, law_, thickness_, options.hourglass, scene.large_motion, options.scalar_kernel});
+  loop_ = make_loop(element_, {&mesh_, &batches_, law_, thickness_, options.hourglass, scene.large_motion,
+                               options.scalar_kernel});
 }
 
 std::string ExplicitFem::describe() const {
-  return "explicit FEM, " + std::to_string(mesh_.cell_count()) + (mesh_.dim == 2 ? " quadrilaterals, " : " hexahedra, ") +
-         name_of(element_) + (element_ != Element::one_point ? "" : hourglass_ ? ", hourglass coefficient " + in_short(*hourglass_) : ", physical stabilization") +
+  return "explicit FEM, " + std::to_string(mesh_.cell_count()) +
+         (mesh_.dim == 2 ? " quadrilaterals, " : " hexahedra, ") + name_of(element_) +
+         (element_ != Element::one_point ? ""
+          : hourglass_                   ? ", hourglass coefficient " + in_short(*hourglass_)
+                                         : ", physical stabilization") +
          bars_text_;
 }
 
-/// What keeps its volume needs elements that can: eight (or four) points a cell ask for more than its corners can give. Reduced shear changes
-/// nothing about that. In plane stress the thickness gives way.
+/// What keeps its volume needs elements that can: eight (or four) points a cell ask for more than its corners
+/// can give. Reduced shear changes nothing about that. In plane stress the thickness gives way.
 std::vector<std::string> ExplicitFem::warnings() const {
   const double poisson = std::visit([](const auto& l) { return l.elastic().poisson; }, law_);
-  if (plane_ == Plane::stress || (element_ != Element::full && element_ != Element::sri) || (poisson <= 0.45 && !plasticity_)) return {};
+  if (plane_ == Plane::stress || (element_ != Element::full && element_ != Element::sri) ||
+      (poisson <= 0.45 && !plasticity_))
+    return {};
   std::string why = plasticity_ ? "plastic flow keeps the volume" : "";
   if (poisson > 0.45) why = "Poisson's ratio is " + in_short(poisson) + (plasticity_ ? ", and " + why : "");
-  return {why + ": " + name_of(element_) + " locks in volume, and displacements may come out far too small; fem-assumed-strain and fem-one-point do not"};
+  return {why + ": " + name_of(element_) +
+          " locks in volume, and displacements may come out far too small; fem-assumed-strain and "
+          "fem-one-point do not"};
 }
 
 std::size_t ExplicitFem::bytes() const {
-  return sizeof(double) * (mesh_.nodes.capacity() + mass_.capacity()) + sizeof(std::size_t) * mesh_.cell_numbers.capacity() + sizeof(int) * (mesh_.cells.capacity() + mesh_.vertex.capacity()) +
-         batches_.bytes() + locator_.bytes() + loop_->bytes() + bars_.bytes();
+  return sizeof(double) * (mesh_.nodes.capacity() + mass_.capacity()) +
+         sizeof(std::size_t) * mesh_.cell_numbers.capacity() +
+         sizeof(int) * (mesh_.cells.capacity() + mesh_.vertex.capacity()) + batches_.bytes() +
+         locator_.bytes() + loop_->bytes() + bars_.bytes();
 }
 
 /// By all threads: a plane elastic kernel takes no more than ten times as long.
@@ -165,7 +177,8 @@ std::vector<Weight> ExplicitFem::interpolation(const Point& p) const {
 
 Point ExplicitFem::material_position(std::size_t point) const {
   const std::size_t n = static_cast<std::size_t>(loop_->points_per_cell());
-  return map_point(mesh_, point / n, n == 1 ? Point{} : gauss_coordinates(mesh_.dim, static_cast<int>(point % n)));
+  return map_point(
+      mesh_, point / n, n == 1 ? Point{} : gauss_coordinates(mesh_.dim, static_cast<int>(point % n)));
 }
 
 double ExplicitFem::material_volume(std::size_t point) const {
@@ -194,7 +207,8 @@ std::vector<Weight> ExplicitFem::material_interpolation(const Point& p) const {
   return r;
 }
 
-/// The strain of every element here is most accurate in the mean of its cell (Barlow 1976), whose edges at the centre measure lengths.
+/// The strain of every element here is most accurate in the mean of its cell (Barlow 1976), whose edges at
+/// the centre measure lengths.
 MaterialUnits ExplicitFem::material_units() const {
   MaterialUnits units;
   units.dim = mesh_.dim;
@@ -203,22 +217,26 @@ MaterialUnits ExplicitFem::material_units() const {
   units.volume.resize(material_points());
   units.shape.resize(mesh_.cell_count());
   parallel_for(mesh_.cell_count(), 64, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t q = begin * units.points_per_unit; q < end * units.points_per_unit; ++q) units.place[q] = material_position(q), units.volume[q] = material_volume(q);
+    for (std::size_t q = begin * units.points_per_unit; q < end * units.points_per_unit; ++q)
+      units.place[q] = material_position(q), units.volume[q] = material_volume(q);
     for (std::size_t c = begin; c < end; ++c) {
       units.shape[c] = {};
       for (int d = 0; d < mesh_.dim; ++d) {
         Point edge{};  // 2 dx/dxi_d at the centre
         for (int a = 0; a < mesh_.corners(); ++a)
-          for (int i = 0; i < mesh_.dim; ++i) edge[i] += (a >> d & 1 ? 2.0 : -2.0) / mesh_.corners() * mesh_.node(mesh_.cell(c)[a])[i];
+          for (int i = 0; i < mesh_.dim; ++i)
+            edge[i] += (a >> d & 1 ? 2.0 : -2.0) / mesh_.corners() * mesh_.node(mesh_.cell(c)[a])[i];
         for (int i = 0; i < mesh_.dim; ++i)
-          for (int j = i; j < mesh_.dim; ++j) units.shape[c][static_cast<std::size_t>(symmetric_index<3>(i, j))] += edge[i] * edge[j];
+          for (int j = i; j < mesh_.dim; ++j)
+            units.shape[c][static_cast<std::size_t>(symmetric_index<3>(i, j))] += edge[i] * edge[j];
       }
     }
   });
   return units;
 }
 
-void ExplicitFem::material_state(const double* u, std::span<const std::size_t> points, MaterialState& out) const {
+void ExplicitFem::material_state(const double* u, std::span<const std::size_t> points,
+                                 MaterialState& out) const {
   const std::size_t n = static_cast<std::size_t>(loop_->points_per_cell());
   out.stress.resize(points.size());
   out.strain.resize(points.size());

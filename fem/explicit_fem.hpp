@@ -5,9 +5,9 @@
 #include <span>
 #include <vector>
 
-#include "fem/mesh/batches.hpp"
 #include "fem/elements/cell_loop.hpp"
 #include "fem/fem.hpp"
+#include "fem/mesh/batches.hpp"
 #include "fem/mesh/locator.hpp"
 #include "fem/mesh/mesh.hpp"
 #include "fem/truss_bars.hpp"
@@ -40,14 +40,17 @@ class ExplicitFem : public Discretization {
   std::vector<Weight> points_of(const Place& place) const override;
   std::vector<Weight> interpolation(const Point& p) const override;
 
-  std::size_t material_points() const override { return mesh_.cell_count() * static_cast<std::size_t>(loop_->points_per_cell()); }
+  std::size_t material_points() const override {
+    return mesh_.cell_count() * static_cast<std::size_t>(loop_->points_per_cell());
+  }
   Point material_position(std::size_t point) const override;
   double material_volume(std::size_t point) const override;
-  /// Four or eight points a cell: each cell at p carries its values out to p, multilinear through its points, and the mean of these
-  /// cells counts. One point a cell: a linear fit to the cells around.
+  /// Four or eight points a cell: each cell at p carries its values out to p, multilinear through its points,
+  /// and the mean of these cells counts. One point a cell: a linear fit to the cells around.
   std::vector<Weight> material_interpolation(const Point& p) const override;
   MaterialUnits material_units() const override;
-  void material_state(const double* u, std::span<const std::size_t> points, MaterialState& out) const override;
+  void material_state(const double* u, std::span<const std::size_t> points,
+                      MaterialState& out) const override;
   Topology topology() const override;
 
  protected:

@@ -1,5 +1,6 @@
 #pragma once
-// The FEM room's door: options in, discretization out. Only this room includes deal.II, and this header does not show it.
+// The FEM room's door: options in, discretization out. Only this room includes deal.II, and this header does
+// not show it.
 
 #include <array>
 #include <map>
@@ -19,10 +20,12 @@ std::unique_ptr<Discretization> discretize(const Scene& scene, std::size_t body,
 
 /// The same discretization through deal.II's FEValues, cell by cell: slow, and the oracle of the fast loop.
 /// Only `full`, small strain.
-std::unique_ptr<Discretization> discretize_oracle(const Scene& scene, std::size_t body, const Options& options);
+std::unique_ptr<Discretization> discretize_oracle(const Scene& scene, std::size_t body,
+                                                  const Options& options);
 
-/// Converged static solution of a linear elastic scene with one body of straight sides, in small motion and with supports at rest: polynomial degree `degree` on `divisions` cells, solved directly.
-/// Returns the value of each probe (component-wise, 3 for displacement, 6 for stress and strain) by its name.
+/// Converged static solution of a linear elastic scene with one body of straight sides, in small motion and
+/// with supports at rest: polynomial degree `degree` on `divisions` cells, solved directly. Returns the value
+/// of each probe (component-wise, 3 for displacement, 6 for stress and strain) by its name.
 StaticLimit static_limit(const Scene& scene, const std::array<int, 3>& divisions, int degree);
 
 /// The version of deal.II this program is built with.

@@ -1,6 +1,7 @@
 #pragma once
-// Bars in FEM: truss elements between the consecutive nodes of a row. A truss of length L that the bar covers over a length l has the
-// strain of bar_strain with g = (u_b - u_a) / L and the force A (l / L) sigma on its ends, from the energy A l w(strain).
+// Bars in FEM: truss elements between the consecutive nodes of a row. A truss of length L that the bar covers
+// over a length l has the strain of bar_strain with g = (u_b - u_a) / L and the force A (l / L) sigma on its
+// ends, from the energy A l w(strain).
 
 #include <vector>
 

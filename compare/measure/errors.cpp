@@ -8,8 +8,10 @@
 namespace femsph::compare {
 namespace {
 
-// Times at which `value` rises through `level`, after it was below level - band and until it is above level + band.
-std::vector<double> rising_crossings(std::span<const double> time, std::span<const double> value, double level, double band) {
+// Times at which `value` rises through `level`, after it was below level - band and until it is above level +
+// band.
+std::vector<double> rising_crossings(std::span<const double> time, std::span<const double> value,
+                                     double level, double band) {
   std::vector<double> crossings;
   bool armed = false;
   double last = 0;
@@ -32,7 +34,8 @@ std::optional<double> percent_error(double value, double reference) {
   return 100 * (value / reference - 1);
 }
 
-std::optional<double> percent_l2(std::span<const double> x, std::span<const double> value, std::span<const double> reference) {
+std::optional<double> percent_l2(std::span<const double> x, std::span<const double> value,
+                                 std::span<const double> reference) {
   if (x.size() < 2 || value.size() != x.size() || reference.size() != x.size())
     throw std::invalid_argument("profiles to compare need the same points, two or more");
   double error = 0, norm = 0;
@@ -46,8 +49,10 @@ std::optional<double> percent_l2(std::span<const double> x, std::span<const doub
   return 100 * std::sqrt(error / norm);
 }
 
-std::vector<double> resample(std::span<const double> x, std::span<const double> value, std::span<const double> at) {
-  if (x.empty() || value.size() != x.size()) throw std::invalid_argument("resampling needs as many values as abscissas, one or more");
+std::vector<double> resample(std::span<const double> x, std::span<const double> value,
+                             std::span<const double> at) {
+  if (x.empty() || value.size() != x.size())
+    throw std::invalid_argument("resampling needs as many values as abscissas, one or more");
   const double slack = 1e-9 * (x.back() - x.front());
   std::vector<double> out;
   out.reserve(at.size());
@@ -62,7 +67,8 @@ std::vector<double> resample(std::span<const double> x, std::span<const double> 
     else if (next == x.size())
       out.push_back(value.back());
     else
-      out.push_back(value[next - 1] + (p - x[next - 1]) / (x[next] - x[next - 1]) * (value[next] - value[next - 1]));
+      out.push_back(
+          value[next - 1] + (p - x[next - 1]) / (x[next] - x[next - 1]) * (value[next] - value[next - 1]));
   }
   return out;
 }
@@ -72,12 +78,14 @@ std::optional<double> dominant_frequency(std::span<const double> time, std::span
   if (std::any_of(value.begin(), value.end(), [](double v) { return !std::isfinite(v); })) return {};
   const auto [low, high] = std::minmax_element(value.begin(), value.end());
   const double level = (*low + *high) / 2, band = (*high - *low) / 10;
-  if (10 * band <= 1e-9 * std::max(std::abs(*low), std::abs(*high))) return {};  // at rest: what swings is round-off
+  if (10 * band <= 1e-9 * std::max(std::abs(*low), std::abs(*high)))
+    return {};  // at rest: what swings is round-off
   std::vector<double> mirrored(value.begin(), value.end());
   for (double& v : mirrored) v = 2 * level - v;
   double span = 0;
   std::size_t periods = 0;
-  for (const auto& crossings : {rising_crossings(time, value, level, band), rising_crossings(time, mirrored, level, band)}) {
+  for (const auto& crossings :
+       {rising_crossings(time, value, level, band), rising_crossings(time, mirrored, level, band)}) {
     if (crossings.size() < 2) continue;
     span += crossings.back() - crossings.front();
     periods += crossings.size() - 1;
@@ -86,10 +94,12 @@ std::optional<double> dominant_frequency(std::span<const double> time, std::span
   return double(periods) / span;
 }
 
-double percent_from(const ReferenceTable& table, const std::vector<double>& at, const std::vector<double>& value) {
+double percent_from(const ReferenceTable& table, const std::vector<double>& at,
+                    const std::vector<double>& value) {
   std::vector<double> times, values;
   for (std::size_t i = 0; i < at.size(); ++i)
-    if (at[i] >= table.at.front() && at[i] <= table.at.back()) times.push_back(at[i]), values.push_back(value[i]);
+    if (at[i] >= table.at.front() && at[i] <= table.at.back())
+      times.push_back(at[i]), values.push_back(value[i]);
   if (times.size() < 2) throw std::runtime_error("the history and the reference have no time in common");
   const auto percent = percent_l2(times, values, resample(table.at, table.value, times));
   if (!percent) throw std::runtime_error("the reference is zero");

@@ -11,7 +11,9 @@ void coarse_first(Ladder& ladder) {
   std::sort(ladder.begin(), ladder.end(), [](const Rung& a, const Rung& b) { return a.spacing > b.spacing; });
 }
 
-double slope(const Rung& coarse, const Rung& fine) { return std::log(coarse.value / fine.value) / std::log(coarse.spacing / fine.spacing); }
+double slope(const Rung& coarse, const Rung& fine) {
+  return std::log(coarse.value / fine.value) / std::log(coarse.spacing / fine.spacing);
+}
 
 }  // namespace
 
@@ -69,7 +71,8 @@ std::optional<SpacingAtError> spacing_at_error(Ladder errors, double target) {
   }
   for (std::size_t i = 1; i < errors.size(); ++i) monotone &= errors[i].value < errors[i - 1].value;
 
-  // The segment to interpolate on, or to extrapolate from: the finest one on which the error grows past the target.
+  // The segment to interpolate on, or to extrapolate from: the finest one on which the error grows past the
+  // target.
   std::size_t fine = errors.size() - 1;
   const bool beyond_fine = errors[fine].value > target;
   if (!beyond_fine)
@@ -78,8 +81,10 @@ std::optional<SpacingAtError> spacing_at_error(Ladder errors, double target) {
   if (beyond_coarse) fine = 1;
   const Rung& from = beyond_coarse ? errors[0] : errors[fine];
   const double order = slope(errors[fine - 1], errors[fine]);
-  if (order <= 0) return beyond_coarse ? std::optional(SpacingAtError{from.spacing, true, monotone}) : std::nullopt;
-  return SpacingAtError{from.spacing * std::pow(target / from.value, 1 / order), beyond_fine || beyond_coarse, monotone};
+  if (order <= 0)
+    return beyond_coarse ? std::optional(SpacingAtError{from.spacing, true, monotone}) : std::nullopt;
+  return SpacingAtError{
+      from.spacing * std::pow(target / from.value, 1 / order), beyond_fine || beyond_coarse, monotone};
 }
 
 }  // namespace femsph::compare

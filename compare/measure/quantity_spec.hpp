@@ -20,8 +20,26 @@ struct Observed {
   std::string si = {};  ///< of a column: what it is taken to be in; empty: whatever it is
 };
 
-/// `integral`: of a force over time; `duration`: from the first to the last sample that is not zero, as a time of contact; `excess`: largest amount by which an equivalent stress lies above its yield curve, yield + H p, over the yield stress; `moment`: of a section's axial stress about its middle, integral sigma_xx (y - y0) dA.
-enum class Reduce { final, max, min, peak, mean, frequency, period, integral, duration, fibre_upper, fibre_lower, l2, moment, excess };
+/// `integral`: of a force over time; `duration`: from the first to the last sample that is not zero, as a
+/// time of contact; `excess`: largest amount by which an equivalent stress lies above its yield curve, yield
+/// + H p, over the yield stress; `moment`: of a section's axial stress about its middle, integral sigma_xx (y
+/// - y0) dA.
+enum class Reduce {
+  final,
+  max,
+  min,
+  peak,
+  mean,
+  frequency,
+  period,
+  integral,
+  duration,
+  fibre_upper,
+  fibre_lower,
+  l2,
+  moment,
+  excess
+};
 enum class SignRule { as_is, reversed, magnitude };
 
 /// A number to take from every run.
@@ -29,15 +47,16 @@ struct QuantitySpec {
   std::string name;
   Observed observed;
   Reduce reduce = Reduce::final;
-  Observed along;                                ///< excess: the equivalent plastic strain p
+  Observed along;                               ///< excess: the equivalent plastic strain p
   std::optional<std::array<double, 2>> window;  ///< s: the part of a history that `reduce` looks at
-  SignRule sign = SignRule::as_is;    ///< how value, theory and limit are shown
-  double offset = 0;                  ///< added to the value, in the unit and sign of the table: a length is the first one plus a displacement
-  std::optional<std::string> theory;  ///< name of a theory value
-  std::optional<double> reference;    ///< in its place: a number, in the unit and sign of the table
+  SignRule sign = SignRule::as_is;              ///< how value, theory and limit are shown
+  double offset = 0;  ///< added to the value, in the unit and sign of the table: a length is the first one
+                      ///< plus a displacement
+  std::optional<std::string> theory;    ///< name of a theory value
+  std::optional<double> reference;      ///< in its place: a number, in the unit and sign of the table
   std::optional<ReferenceTable> table;  ///< in its place, with l2: a whole history
-  std::optional<std::string> scene;   ///< only of runs of that scene
-  std::vector<std::string> methods;   ///< only of runs with these labels; empty: all
+  std::optional<std::string> scene;     ///< only of runs of that scene
+  std::vector<std::string> methods;     ///< only of runs with these labels; empty: all
   bool is_of(const PlannedRun& run) const;
 };
 

@@ -25,17 +25,20 @@ struct Reduced {
   std::optional<double> theory, error_percent, limit, error_vs_limit_percent;
 };
 /// Throws std::runtime_error with one sentence.
-Reduced reduce(const QuantitySpec& quantity, const RunResult& result, const Scene& scene, const fem::StaticLimit* limit);
+Reduced reduce(const QuantitySpec& quantity, const RunResult& result, const Scene& scene,
+               const fem::StaticLimit* limit);
 
-/// How far two static limits are apart in a quantity, and how large the second is; of l2 the norms along the section. Nothing where the
-/// limits do not speak of it.
+/// How far two static limits are apart in a quantity, and how large the second is; of l2 the norms along the
+/// section. Nothing where the limits do not speak of it.
 struct LimitChange {
   double change, size;
 };
-std::optional<LimitChange> change_of(const QuantitySpec& quantity, const Scene& scene, const fem::StaticLimit& from, const fem::StaticLimit& to);
+std::optional<LimitChange> change_of(const QuantitySpec& quantity, const Scene& scene,
+                                     const fem::StaticLimit& from, const fem::StaticLimit& to);
 
-/// Why the exact value of what a quantity takes at a point is infinite there (model/scene/singular.hpp); empty if nothing says so. Not `certain`:
-/// why it may be, on supports of which a scene does not tell whether they bear a reaction.
+/// Why the exact value of what a quantity takes at a point is infinite there (model/scene/singular.hpp);
+/// empty if nothing says so. Not `certain`: why it may be, on supports of which a scene does not tell whether
+/// they bear a reaction.
 std::string no_value_at(const QuantitySpec& quantity, const Scene& scene, bool certain = true);
 
 }  // namespace femsph::compare

@@ -19,9 +19,11 @@ double shortest_side(const Scene& scene) {
   double shortest = std::numeric_limits<double>::infinity();
   for (const Body& body : scene.bodies) {
     if (body.rigid) continue;
-    for (int a = 0; a < scene.dim(); ++a) shortest = std::min(shortest, body.shape->upper()[a] - body.shape->lower()[a]);
+    for (int a = 0; a < scene.dim(); ++a)
+      shortest = std::min(shortest, body.shape->upper()[a] - body.shape->lower()[a]);
   }
-  if (!std::isfinite(shortest) || !(shortest > 0)) throw Refusal("no body deforms: there is nothing to discretize");
+  if (!std::isfinite(shortest) || !(shortest > 0))
+    throw Refusal("no body deforms: there is nothing to discretize");
   return shortest;
 }
 
@@ -48,7 +50,8 @@ struct Ladders {
     Ladder values;
     for (std::size_t i = 0; i < m.rungs.size(); ++i) values.push_back({m.rungs[i].spacing, m.values[i]});
     const auto found = richardson(values);
-    return found && found->limit != 0 && is_convergence(found->order) && 125 * std::abs(m.values.back() / found->limit - 1) < 0.2 * *question.error;
+    return found && found->limit != 0 && is_convergence(found->order) &&
+           125 * std::abs(m.values.back() / found->limit - 1) < 0.2 * *question.error;
   }
 
   /// One rung more; a second run where it takes little, since the less of two times is nearer to the truth.
@@ -60,11 +63,14 @@ struct Ladders {
       cpu = std::min(cpu, r.price.total_cpu);
       advice.spent += r.price.total_cpu;
     }
-    if (scene.settling && !r.settled) throw std::runtime_error("it did not settle within the scene's duration");
-    if (!m.rungs.empty() && double(r.price.units) == m.rungs.back().units) throw std::runtime_error("its cells are those of the mesh file, whatever the spacing");
+    if (scene.settling && !r.settled)
+      throw std::runtime_error("it did not settle within the scene's duration");
+    if (!m.rungs.empty() && double(r.price.units) == m.rungs.back().units)
+      throw std::runtime_error("its cells are those of the mesh file, whatever the spacing");
     const double value = reduce(question.quantity, r, scene, nullptr).value;
     PricedRung rung{advice.shortest / divisions, 0, cpu};
-    rung.steps = double(r.price.steps), rung.units = double(r.price.units), rung.dof = double(r.points) * scene.dim();
+    rung.steps = double(r.price.steps), rung.units = double(r.price.units),
+    rung.dof = double(r.points) * scene.dim();
     m.rungs.push_back(rung);
     m.values.push_back(value);
     m.divisions.push_back(divisions);
@@ -72,12 +78,14 @@ struct Ladders {
 
   void run() {
     std::vector<bool> active(question.methods.size(), true);
-    for (const Method& method : question.methods) advice.methods.push_back({method, {}, {}, {}, "", {}, {}, 0, false, {}});
+    for (const Method& method : question.methods)
+      advice.methods.push_back({method, {}, {}, {}, "", {}, {}, 0, false, {}});
     for (const int divisions : ladder_divisions) {
       for (std::size_t k = 0; k < advice.methods.size(); ++k) {
         if (!active[k]) continue;
         MethodEvidence& m = advice.methods[k];
-        const double share = (question.budget - advice.spent) / double(std::count(active.begin(), active.end(), true));
+        const double share = (question.budget - advice.spent) /
+                             double(std::count(active.begin(), active.end(), true));
         if (knows_enough(m) || advice.spent >= question.budget || cost_of_next(m, divisions) > share) {
           active[k] = false;
           continue;
@@ -106,23 +114,26 @@ void find_limits(Advice& advice) {
   }
 }
 
-/// Every consistent method must approach a limit, if there is one: classic SPH has errors at a boundary that do not vanish.
+/// Every consistent method must approach a limit, if there is one: classic SPH has errors at a boundary that
+/// do not vanish.
 bool consistent(const Method& method) {
   const auto* sph = std::get_if<sph::Options>(&method.options);
   return !sph || sph->formulation != sph::Formulation::classic;
 }
 
-/// A ladder of five rungs or more whose values go on in one direction without the order of convergence, by steps that matter for the answer: as
-/// those under a force on a point do, by a logarithm.
+/// A ladder of five rungs or more whose values go on in one direction without the order of convergence, by
+/// steps that matter for the answer: as those under a force on a point do, by a logarithm.
 void find_dissent(Advice& advice) {
   for (MethodEvidence& m : advice.methods) {
     const std::size_t n = m.values.size();
     if (!consistent(m.method) || n < 5) continue;
     const double before = m.values[n - 2] - m.values[n - 3], last = m.values[n - 1] - m.values[n - 2];
-    const bool on = before * last > 0, matters = 100 * std::abs(last) >= 0.2 * advice.tolerance_percent * std::abs(m.values[n - 1]);
+    const bool on = before * last > 0,
+               matters = 100 * std::abs(last) >= 0.2 * advice.tolerance_percent * std::abs(m.values[n - 1]);
     if (!on || !matters || (m.order && *m.order >= least_order)) continue;
-    m.dissent = fmt::format("the values of {} go on changing from spacing to spacing ({}), which is no convergence", m.method.name,
-                            m.order ? fmt::format("order {:.2f}", *m.order) : "by more each time");
+    m.dissent = fmt::format(
+        "the values of {} go on changing from spacing to spacing ({}), which is no convergence",
+        m.method.name, m.order ? fmt::format("order {:.2f}", *m.order) : "by more each time");
   }
 }
 
@@ -135,9 +146,11 @@ void find_reference(Advice& advice) {
   for (std::size_t k = 0; k < advice.methods.size(); ++k) {
     const MethodEvidence& m = advice.methods[k];
     if (!m.limit) continue;
-    const int others = int(std::count_if(advice.methods.begin(), advice.methods.end(), [&](const MethodEvidence& o) { return &o != &m && meets(o, m); }));
+    const int others = int(std::count_if(advice.methods.begin(), advice.methods.end(),
+                                         [&](const MethodEvidence& o) { return &o != &m && meets(o, m); }));
     const bool better = !advice.reference || std::min(others, 1) > std::min(most, 1) ||
-                        (std::min(others, 1) == std::min(most, 1) && m.known_percent < advice.methods[*advice.reference].known_percent);
+                        (std::min(others, 1) == std::min(most, 1) &&
+                         m.known_percent < advice.methods[*advice.reference].known_percent);
     if (better) advice.reference = k, most = others;
   }
   if (!advice.reference) return;
@@ -145,16 +158,21 @@ void find_reference(Advice& advice) {
   bool fem = false, sph = false;
   for (MethodEvidence& m : advice.methods) {
     m.meets = meets(m, reference);
-    if (m.meets) advice.spread_percent = std::max(advice.spread_percent, 100 * std::abs(*m.limit / *reference.limit - 1));
+    if (m.meets)
+      advice.spread_percent = std::max(
+          advice.spread_percent, 100 * std::abs(*m.limit / *reference.limit - 1));
     if (m.meets) ++advice.meeting, (m.method.is_fem() ? fem : sph) = true;
-    for (std::size_t i = 0; i < m.rungs.size(); ++i) m.rungs[i].error = 100 * (m.values[i] / *reference.limit - 1);
+    for (std::size_t i = 0; i < m.rungs.size(); ++i)
+      m.rungs[i].error = 100 * (m.values[i] / *reference.limit - 1);
   }
   advice.both_kinds = fem && sph;
   advice.known_percent = reference.known_percent;
 }
 
-/// What a method needs for the error, rounded to whole divisions of the shortest side; the aim is nine tenths of it.
-std::optional<Choice> for_error(const Advice& advice, std::size_t k, double error, const PricedLadder& ladder, std::string& why) {
+/// What a method needs for the error, rounded to whole divisions of the shortest side; the aim is nine tenths
+/// of it.
+std::optional<Choice> for_error(const Advice& advice, std::size_t k, double error, const PricedLadder& ladder,
+                                std::string& why) {
   const auto cost = ladder.cost_of(0.9 * error);
   if (!cost.reached()) {
     why = cost.reason;
@@ -162,11 +180,17 @@ std::optional<Choice> for_error(const Advice& advice, std::size_t k, double erro
   }
   const int divisions = int(std::ceil(advice.shortest / cost.spacing - 1e-6));
   const double spacing = advice.shortest / divisions;
-  return Choice{k, divisions, spacing, ladder.cpu_at(spacing), ladder.error_at(spacing).value_or(0.9 * error), spacing < ladder.rungs().back().spacing * (1 - 1e-9)};
+  return Choice{k,
+                divisions,
+                spacing,
+                ladder.cpu_at(spacing),
+                ladder.error_at(spacing).value_or(0.9 * error),
+                spacing < ladder.rungs().back().spacing * (1 - 1e-9)};
 }
 
 /// What a method reaches in the time.
-std::optional<Choice> for_time(const Advice& advice, std::size_t k, double within, const PricedLadder& ladder, std::string& why) {
+std::optional<Choice> for_time(const Advice& advice, std::size_t k, double within, const PricedLadder& ladder,
+                               std::string& why) {
   const auto spacing = ladder.spacing_for(within);
   if (!spacing) {
     why = "even the coarsest run takes longer";
@@ -176,11 +200,17 @@ std::optional<Choice> for_time(const Advice& advice, std::size_t k, double withi
   int divisions = std::min(int(std::floor(advice.shortest / *spacing + 1e-6)), most);
   if (ladder.error_at(advice.shortest / divisions, &why)) {
     const double d = advice.shortest / divisions;
-    return Choice{k, divisions, d, ladder.cpu_at(d), *ladder.error_at(d), d < ladder.rungs().back().spacing * (1 - 1e-9)};
+    return Choice{k,
+                  divisions,
+                  d,
+                  ladder.cpu_at(d),
+                  *ladder.error_at(d),
+                  d < ladder.rungs().back().spacing * (1 - 1e-9)};
   }
   divisions = std::min(divisions, advice.methods[k].divisions.back());  // no further than what was measured
   const double d = advice.shortest / divisions;
-  return Choice{k, divisions, d, ladder.cpu_at(d), ladder.error_at(d).value_or(ladder.credited().back()), false};
+  return Choice{
+      k, divisions, d, ladder.cpu_at(d), ladder.error_at(d).value_or(ladder.credited().back()), false};
 }
 
 void choose(const Scene& scene, const Question& question, Advice& advice) {
@@ -194,10 +224,14 @@ void choose(const Scene& scene, const Question& question, Advice& advice) {
       continue;
     }
     const PricedLadder ladder(m.rungs, scene.dim(), advice.known_percent);
-    advice.choices[k] = question.error ? for_error(advice, k, *question.error, ladder, why) : for_time(advice, k, *question.within, ladder, why);
+    advice.choices[k] = question.error ? for_error(advice, k, *question.error, ladder, why)
+                                       : for_time(advice, k, *question.within, ladder, why);
     const auto& choice = advice.choices[k];
     if (!choice) continue;
-    const auto rank = [&](const Choice& c) { return question.error ? std::pair(c.cpu, c.error) : std::pair(std::max(c.error, advice.known_percent), c.cpu); };
+    const auto rank = [&](const Choice& c) {
+      return question.error ? std::pair(c.cpu, c.error)
+                            : std::pair(std::max(c.error, advice.known_percent), c.cpu);
+    };
     if (!advice.best || rank(*choice) < rank(*advice.best)) advice.best = choice;
   }
 }
@@ -206,7 +240,9 @@ void choose(const Scene& scene, const Question& question, Advice& advice) {
 
 std::vector<Method> usual_methods() {
   std::vector<Method> all;
-  for (const char* name : {"fem-full", "fem-sri", "fem-one-point", "fem-assumed-strain", "sph-classic-share", "sph-corrected"}) all.push_back(method_named(name));
+  for (const char* name :
+       {"fem-full", "fem-sri", "fem-one-point", "fem-assumed-strain", "sph-classic-share", "sph-corrected"})
+    all.push_back(method_named(name));
   return all;
 }
 
@@ -221,17 +257,23 @@ Advice advise(const Scene& scene, const Question& question, const Engine& engine
   find_limits(advice);
   find_dissent(advice);
   find_reference(advice);
-  const auto dissent = std::find_if(advice.methods.begin(), advice.methods.end(), [](const MethodEvidence& m) { return !m.dissent.empty(); });
+  const auto dissent = std::find_if(advice.methods.begin(), advice.methods.end(),
+                                    [](const MethodEvidence& m) { return !m.dissent.empty(); });
   if (dissent != advice.methods.end())
-    advice.refusal = dissent->dissent + ": there may be no limit to be near to" + (advice.suspect.empty() ? "" : "; " + advice.suspect);
+    advice.refusal = dissent->dissent + ": there may be no limit to be near to" +
+                     (advice.suspect.empty() ? "" : "; " + advice.suspect);
   else if (!advice.reference)
     advice.refusal = "no method's values approach a limit; a larger --budget allows finer runs";
   else if (advice.meeting < 2)
-    advice.refusal = "no two methods approach the same limit, so that nobody knows which is right; a larger --budget allows finer runs";
+    advice.refusal =
+        "no two methods approach the same limit, so that nobody knows which is right; a larger --budget "
+        "allows finer runs";
   else
     choose(scene, question, advice);
   if (advice.refusal.empty() && !advice.best)
-    advice.refusal = question.error ? "no method can be shown to reach this error; a larger --budget allows finer runs" : "no method runs in this time";
+    advice.refusal = question.error
+                         ? "no method can be shown to reach this error; a larger --budget allows finer runs"
+                         : "no method runs in this time";
   return advice;
 }
 
@@ -239,8 +281,10 @@ Outcome follow(const Scene& scene, const Question& question, const Advice& advic
   const Choice& best = advice.best.value();
   RunOptions options;
   options.march.safety = question.safety;
-  const RunResult r = engine.run(scene, advice.methods[best.method].method, Resolution{best.spacing, {}}, options);
-  const double value = reduce(question.quantity, r, scene, nullptr).value, limit = *advice.methods[*advice.reference].limit;
+  const RunResult r = engine.run(
+      scene, advice.methods[best.method].method, Resolution{best.spacing, {}}, options);
+  const double value = reduce(question.quantity, r, scene, nullptr).value,
+               limit = *advice.methods[*advice.reference].limit;
   return {r.price.total_cpu, value, 100 * (value / limit - 1), r.price};
 }
 

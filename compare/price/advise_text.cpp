@@ -18,39 +18,54 @@ std::string seconds(double s) {
   return fmt::format("{:.1f} h", s / 3600);
 }
 
-std::string line(const std::string& key, const std::string& value) { return fmt::format("  {:<24} {}\n", key, value); }
+std::string line(const std::string& key, const std::string& value) {
+  return fmt::format("  {:<24} {}\n", key, value);
+}
 
 std::string ladders(const Question& question, const Advice& advice) {
-  std::vector<std::vector<std::string>> cells{{"method", "d mm", "value " + question.quantity.observed.unit.name, "error %", "CPU s"}};
+  std::vector<std::vector<std::string>> cells{
+      {"method", "d mm", "value " + question.quantity.observed.unit.name, "error %", "CPU s"}};
   for (const MethodEvidence& m : advice.methods)
     for (std::size_t i = 0; i < m.rungs.size(); ++i)
-      cells.push_back({i == 0 ? m.method.name : "", millimetres(m.rungs[i].spacing), rounded(m.values[i], 5), advice.reference ? fmt::format("{:+.2f}", m.rungs[i].error) : "",
-                       rounded(m.rungs[i].cpu, 2)});
+      cells.push_back(
+          {i == 0 ? m.method.name : "", millimetres(m.rungs[i].spacing), rounded(m.values[i], 5),
+           advice.reference ? fmt::format("{:+.2f}", m.rungs[i].error) : "", rounded(m.rungs[i].cpu, 2)});
   return markdown_table(cells);
 }
 
 std::string limits(const Question& question, const Advice& advice) {
-  std::vector<std::vector<std::string>> cells{{"method", "limit", "known to %", "its order", "meets", question.error ? "needs" : "reaches"}};
+  std::vector<std::vector<std::string>> cells{
+      {"method", "limit", "known to %", "its order", "meets", question.error ? "needs" : "reaches"}};
   for (std::size_t k = 0; k < advice.methods.size(); ++k) {
     const MethodEvidence& m = advice.methods[k];
     std::string can = m.trouble;
     if (k < advice.choices.size()) {
       const auto& c = advice.choices[k];
-      can = c ? fmt::format("{} mm, {}, error {} %{}", millimetres(c->spacing), seconds(c->cpu), rounded(c->error, 2), c->extrapolated ? ", extrapolated" : "") : advice.why_not[k];
+      can = c ? fmt::format("{} mm, {}, error {} %{}", millimetres(c->spacing), seconds(c->cpu),
+                            rounded(c->error, 2), c->extrapolated ? ", extrapolated" : "")
+              : advice.why_not[k];
     }
-    cells.push_back({m.method.name, m.limit ? rounded(*m.limit, 5) : "none in sight", m.limit ? rounded(m.known_percent, 2) : "", m.order ? fmt::format("{:.2f}", *m.order) : "",
-                     !advice.reference ? "" : k == *advice.reference ? "reference" : m.meets ? "yes" : "no", can});
+    cells.push_back(
+        {m.method.name, m.limit ? rounded(*m.limit, 5) : "none in sight",
+         m.limit ? rounded(m.known_percent, 2) : "", m.order ? fmt::format("{:.2f}", *m.order) : "",
+         !advice.reference        ? ""
+         : k == *advice.reference ? "reference"
+         : m.meets                ? "yes"
+                                  : "no",
+         can});
   }
   return markdown_table(cells);
 }
 
-/// What the evidence is made of: how near the limits are to each other, and with which orders they are approached.
+/// What the evidence is made of: how near the limits are to each other, and with which orders they are
+/// approached.
 std::string agreement(const Advice& advice) {
   if (advice.meeting < 2) return "";
   double least = 1e300, most = 0;
   for (const MethodEvidence& m : advice.methods)
     if (m.meets && m.order) least = std::min(least, *m.order), most = std::max(most, *m.order);
-  return fmt::format(" (the farthest is {} % away; orders {:.2f} to {:.2f})", rounded(advice.spread_percent, 2), least, most);
+  return fmt::format(" (the farthest is {} % away; orders {:.2f} to {:.2f})",
+                     rounded(advice.spread_percent, 2), least, most);
 }
 
 /// No more than the evidence carries.
@@ -59,15 +74,22 @@ std::string confidence(const Advice& advice) {
     if (!m.dissent.empty()) return "but " + m.dissent + ": confidence none";
   if (advice.meeting < 2) return "confidence none";
   if (!advice.suspect.empty()) return "but there is " + advice.suspect + ": confidence low";
-  return advice.both_kinds ? "FEM and SPH among them: confidence good" : advice.meeting >= 3 ? "all of one kind: confidence fair" : "all of one kind: confidence low";
+  return advice.both_kinds     ? "FEM and SPH among them: confidence good"
+         : advice.meeting >= 3 ? "all of one kind: confidence fair"
+                               : "all of one kind: confidence low";
 }
 
 /// Which probe it is: nobody need guess that the first was taken.
 std::string probe_line(const Scene& scene, const Question& question) {
   for (const Probe& probe : scene.probes)
     if (probe.name == question.quantity.observed.probe)
-      return line("probe", fmt::format("{} of body {}, component {}{}", probe.name, scene.bodies[probe.body].name, question.quantity.observed.component,
-                                       scene.probes.size() > 1 ? fmt::format("; one of {} probes (--probe names another)", scene.probes.size()) : ""));
+      return line(
+          "probe",
+          fmt::format("{} of body {}, component {}{}", probe.name, scene.bodies[probe.body].name,
+                      question.quantity.observed.component,
+                      scene.probes.size() > 1
+                          ? fmt::format("; one of {} probes (--probe names another)", scene.probes.size())
+                          : ""));
   return "";
 }
 
@@ -76,28 +98,48 @@ std::string probe_line(const Scene& scene, const Question& question) {
 std::string describe(const Scene& scene, const Question& question, const Advice& advice) {
   std::string text = scene.title + "\n";
   const auto& q = question.quantity;
-  text += line("asked", q.name + (question.error ? fmt::format(", error at most {:g} %", *question.error) : fmt::format(", least error within {} of CPU", seconds(*question.within))));
+  text += line(
+      "asked",
+      q.name + (question.error ? fmt::format(", error at most {:g} %", *question.error)
+                               : fmt::format(", least error within {} of CPU", seconds(*question.within))));
   text += probe_line(scene, question);
-  if (!advice.methods.empty()) text += line("ladders", fmt::format("{} methods, spacings as parts of the shortest side, {} mm; {} of CPU on one thread", advice.methods.size(), millimetres(advice.shortest), seconds(advice.spent)));
-  if (!advice.methods.empty()) text += "\n" + ladders(question, advice) + "\n" + limits(question, advice) + "\n";
+  if (!advice.methods.empty())
+    text += line(
+        "ladders",
+        fmt::format("{} methods, spacings as parts of the shortest side, {} mm; {} of CPU on one thread",
+                    advice.methods.size(), millimetres(advice.shortest), seconds(advice.spent)));
+  if (!advice.methods.empty())
+    text += "\n" + ladders(question, advice) + "\n" + limits(question, advice) + "\n";
   if (advice.reference) {
     const MethodEvidence& reference = advice.methods[*advice.reference];
-    text += line("reference", fmt::format("{} {}, Richardson's limit of {}, known to {} %", rounded(*reference.limit, 5), q.observed.unit.name, reference.method.name,
-                                          rounded(reference.known_percent, 2)));
-    text += line("evidence", fmt::format("{} of {} methods approach it within {:g} %{}, {}", advice.meeting, advice.methods.size(), advice.tolerance_percent, agreement(advice), confidence(advice)));
+    text += line(
+        "reference",
+        fmt::format("{} {}, Richardson's limit of {}, known to {} %", rounded(*reference.limit, 5),
+                    q.observed.unit.name, reference.method.name, rounded(reference.known_percent, 2)));
+    text += line("evidence", fmt::format("{} of {} methods approach it within {:g} %{}, {}", advice.meeting,
+                                         advice.methods.size(), advice.tolerance_percent, agreement(advice),
+                                         confidence(advice)));
   }
   if (!advice.best) return text + line("advice", "none: " + advice.refusal);
   const Choice& best = *advice.best;
-  text += line("advice", fmt::format("--solver {} --spacing \"{:.6g} mm\" --safety {:g}", advice.methods[best.method].method.name, 1e3 * best.spacing, question.safety));
-  text += line("predicted", fmt::format("{} of CPU, error {} %{}", seconds(best.cpu), rounded(best.error, 2), best.extrapolated ? " (extrapolated)" : " (between runs made)"));
+  text += line(
+      "advice", fmt::format("--solver {} --spacing \"{:.6g} mm\" --safety {:g}",
+                            advice.methods[best.method].method.name, 1e3 * best.spacing, question.safety));
+  text += line("predicted", fmt::format("{} of CPU, error {} %{}", seconds(best.cpu), rounded(best.error, 2),
+                                        best.extrapolated ? " (extrapolated)" : " (between runs made)"));
   return text;
 }
 
 std::string describe(const Advice& advice, const Question& question, const Outcome& outcome) {
-  const char* verdict = !question.error ? "" : std::abs(outcome.error) <= *question.error ? ": as asked" : ": more than asked";
-  return line("made", fmt::format("{} of CPU, {:.2f} times the predicted; {} {}, error {:+.2g} %{}", seconds(outcome.cpu), outcome.cpu / advice.best->cpu, rounded(outcome.value, 5),
-                                  question.quantity.observed.unit.name, outcome.error, verdict)) +
-         price_text(outcome.price, advice.methods[advice.best->method].method.is_fem() ? "element" : "particle");
+  const char* verdict = !question.error                              ? ""
+                        : std::abs(outcome.error) <= *question.error ? ": as asked"
+                                                                     : ": more than asked";
+  return line("made",
+              fmt::format("{} of CPU, {:.2f} times the predicted; {} {}, error {:+.2g} %{}",
+                          seconds(outcome.cpu), outcome.cpu / advice.best->cpu, rounded(outcome.value, 5),
+                          question.quantity.observed.unit.name, outcome.error, verdict)) +
+         price_text(
+             outcome.price, advice.methods[advice.best->method].method.is_fem() ? "element" : "particle");
 }
 
 }  // namespace femsph::compare

@@ -18,8 +18,10 @@ double between(double x, double x0, double y0, double x1, double y1) {
 
 }  // namespace
 
-PricedLadder::PricedLadder(std::vector<PricedRung> rungs, int dim, double known_to) : rungs_(std::move(rungs)), dim_(dim), known_to_(known_to) {
-  std::sort(rungs_.begin(), rungs_.end(), [](const PricedRung& a, const PricedRung& b) { return a.spacing > b.spacing; });
+PricedLadder::PricedLadder(std::vector<PricedRung> rungs, int dim, double known_to)
+    : rungs_(std::move(rungs)), dim_(dim), known_to_(known_to) {
+  std::sort(rungs_.begin(), rungs_.end(),
+            [](const PricedRung& a, const PricedRung& b) { return a.spacing > b.spacing; });
   const std::size_t n = rungs_.size();
   Ladder errors;
   for (const PricedRung& rung : rungs_) errors.push_back({rung.spacing, rung.error});
@@ -27,8 +29,10 @@ PricedLadder::PricedLadder(std::vector<PricedRung> rungs, int dim, double known_
   credited_.resize(n);
   for (std::size_t i = n; i-- > 0;) {
     credited_[i] = std::max(std::abs(rungs_[i].error), std::abs(heading_.value_or(0)));
-    if (i + 1 < n) credited_[i] = std::max(credited_[i], credited_[i + 1]);
-    else if (n > 1 && !one_sign(rungs_[i].error, rungs_[i - 1].error)) credited_[i] = std::max(credited_[i], std::abs(rungs_[i - 1].error));
+    if (i + 1 < n)
+      credited_[i] = std::max(credited_[i], credited_[i + 1]);
+    else if (n > 1 && !one_sign(rungs_[i].error, rungs_[i - 1].error))
+      credited_[i] = std::max(credited_[i], std::abs(rungs_[i - 1].error));
   }
   // Seconds a step = a + b units, each rung's share of error alike (weights 1/y^2), a and b not negative.
   double s = 0, x = 0, xx = 0, y = 0, xy = 0;
@@ -73,7 +77,9 @@ std::optional<double> PricedLadder::spacing_for(double cpu) const {
 
 std::size_t PricedLadder::first_of_tail() const {
   std::size_t first = rungs_.size() - 1;
-  while (first > 0 && one_sign(rungs_[first - 1].error, rungs_.back().error) && std::abs(rungs_[first - 1].error) > std::abs(rungs_[first].error)) --first;
+  while (first > 0 && one_sign(rungs_[first - 1].error, rungs_.back().error) &&
+         std::abs(rungs_[first - 1].error) > std::abs(rungs_[first].error))
+    --first;
   return first;
 }
 
@@ -86,16 +92,19 @@ std::optional<double> PricedLadder::order(std::string* why) const {
   if (n < 3) return no("fewer than three spacings");
   const std::size_t first = first_of_tail();
   if (n - first < 3) {
-    if (!one_sign(rungs_[n - 1].error, rungs_[n - 2].error) || (first + 1 < n && first > 0 && !one_sign(rungs_[first - 1].error, rungs_[first].error)))
+    if (!one_sign(rungs_[n - 1].error, rungs_[n - 2].error) ||
+        (first + 1 < n && first > 0 && !one_sign(rungs_[first - 1].error, rungs_[first].error)))
       return no("the error changes its sign among the finest three spacings");
     return no("the error does not fall over the finest three spacings");
   }
   if (rungs_.back().error == 0) return no("an error of zero");
   Ladder tail;
-  for (std::size_t i = std::max(first, n > 4 ? n - 4 : 0); i < n; ++i) tail.push_back({rungs_[i].spacing, rungs_[i].error});
+  for (std::size_t i = std::max(first, n > 4 ? n - 4 : 0); i < n; ++i)
+    tail.push_back({rungs_[i].spacing, rungs_[i].error});
   const auto pairs = pairwise_orders({tail.end() - 3, tail.end()});
   const auto [low, high] = std::minmax(pairs[0], pairs[1]);
-  if (low < 0.25 || high > 2.5 * low) return no(fmt::format("no one order: {:.2f}, then {:.2f}", pairs[0], pairs[1]));
+  if (low < 0.25 || high > 2.5 * low)
+    return no(fmt::format("no one order: {:.2f}, then {:.2f}", pairs[0], pairs[1]));
   return fitted_order(tail);
 }
 
@@ -108,7 +117,11 @@ std::optional<double> PricedLadder::sound_order(std::string* why) const {
   }
   if (p && heading_ && std::abs(*heading_) <= 0.5 * std::abs(rungs_.back().error)) return p;
   const bool elsewhere = heading_ && std::abs(*heading_) > 0.5 * std::abs(rungs_.back().error);
-  if (why) *why = !p && !elsewhere ? reason : heading_ ? fmt::format("the finest three spacings head for an error of {:+.2g} %, not for zero", *heading_) : "the finest three spacings do not approach a limit";
+  if (why)
+    *why = !p && !elsewhere ? reason
+           : heading_ ? fmt::format("the finest three spacings head for an error of {:+.2g} %, not for zero",
+                                    *heading_)
+                      : "the finest three spacings do not approach a limit";
   return {};
 }
 
@@ -124,7 +137,8 @@ PricedLadder::Cost PricedLadder::cost_of(double target) const {
     if (fine == 0) return {Basis::coarsest, rungs_[0].spacing, rungs_[0].cpu, ""};
     const PricedRung &c = rungs_[fine - 1], &f = rungs_[fine];
     double spacing = f.spacing;
-    if (one_sign(c.error, f.error) && credited_[fine] > 0) spacing = between(target, credited_[fine - 1], c.spacing, credited_[fine], f.spacing);
+    if (one_sign(c.error, f.error) && credited_[fine] > 0)
+      spacing = between(target, credited_[fine - 1], c.spacing, credited_[fine], f.spacing);
     return {Basis::interpolated, spacing, cpu_at(spacing), ""};
   }
   std::string why;
@@ -132,7 +146,8 @@ PricedLadder::Cost PricedLadder::cost_of(double target) const {
   if (!p) return no(why);
   const double spacing = rungs_.back().spacing * std::pow(target / credited_.back(), 1 / *p);
   if (spacing < rungs_.back().spacing / furthest)
-    return no(fmt::format("more than {:g} times finer than the finest run, {:.2g} %", furthest, credited_.back()));
+    return no(
+        fmt::format("more than {:g} times finer than the finest run, {:.2g} %", furthest, credited_.back()));
   return {Basis::extrapolated, spacing, cpu_at(spacing), ""};
 }
 
@@ -158,13 +173,16 @@ std::optional<double> PricedLadder::error_at(double spacing, std::string* why) c
 std::optional<double> PricedLadder::error_over_cpu() const {
   if (!order()) return {};
   Ladder tail;
-  for (std::size_t i = std::max(first_of_tail(), rungs_.size() > 4 ? rungs_.size() - 4 : 0); i < rungs_.size(); ++i) tail.push_back({rungs_[i].cpu, rungs_[i].error});
+  for (std::size_t i = std::max(first_of_tail(), rungs_.size() > 4 ? rungs_.size() - 4 : 0);
+       i < rungs_.size(); ++i)
+    tail.push_back({rungs_[i].cpu, rungs_[i].error});
   return fitted_order(tail);
 }
 
 std::optional<double> PricedLadder::cpu_over_dof() const {
   Ladder all;
-  for (std::size_t i = rungs_.size() > 4 ? rungs_.size() - 4 : 0; i < rungs_.size(); ++i) all.push_back({rungs_[i].dof, rungs_[i].cpu});
+  for (std::size_t i = rungs_.size() > 4 ? rungs_.size() - 4 : 0; i < rungs_.size(); ++i)
+    all.push_back({rungs_[i].dof, rungs_[i].cpu});
   return fitted_order(all);
 }
 

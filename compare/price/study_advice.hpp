@@ -14,7 +14,9 @@ struct FollowedAdvice {
 };
 
 /// Asks, follows and measures, one after the other. `rows`: the study's, for its limits.
-std::vector<FollowedAdvice> follow_advice(const Study& study, const std::vector<Row>& rows, const Engine& engine, const std::function<void(const std::string&)>& log);
+std::vector<FollowedAdvice> follow_advice(const Study& study, const std::vector<Row>& rows,
+                                          const Engine& engine,
+                                          const std::function<void(const std::string&)>& log);
 
 /// scene,quantity,asked,method,spacing_mm,extrapolated,predicted_cpu_s,cpu_s,predicted_error_percent,error_percent,error_vs_limit_percent,meeting,
 /// methods,refusal

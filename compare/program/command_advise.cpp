@@ -7,11 +7,11 @@
 
 #include "compare/price/advise.hpp"
 #include "compare/program/commands.hpp"
-#include "model/results/recorder.hpp"
-#include "model/numerics/parallel.hpp"
 #include "model/input/faults.hpp"
-#include "model/scene/reader/reader.hpp"
 #include "model/input/units.hpp"
+#include "model/numerics/parallel.hpp"
+#include "model/results/recorder.hpp"
+#include "model/scene/reader/reader.hpp"
 
 namespace femsph::compare {
 namespace {
@@ -22,7 +22,8 @@ double seconds_of(const char* option, const std::string& text) {
     if (s > 0) return s;
   } catch (const std::exception&) {
   }
-  throw BadCommand(fmt::format("{} {}: expected a time above zero with its unit, such as \"10 min\"", option, in_quotes(text)));
+  throw BadCommand(fmt::format(
+      "{} {}: expected a time above zero with its unit, such as \"10 min\"", option, in_quotes(text)));
 }
 
 /// "1%" or "0.01".
@@ -38,37 +39,45 @@ double percent_of(const std::string& text) {
   const bool percent = end > 0 && text.substr(end) == "%";
   const double result = percent ? value : 100 * value;
   if (end == 0 || !(percent || end == text.size()) || !(result > 0 && result < 100))
-    throw BadCommand(fmt::format("--error {}: expected a part between 0 and 1, or percent: 0.01 or 1%", in_quotes(text)));
+    throw BadCommand(
+        fmt::format("--error {}: expected a part between 0 and 1, or percent: 0.01 or 1%", in_quotes(text)));
   return result;
 }
 
 const Probe& probe_of(const Scene& scene, const std::string& name) {
-  if (scene.probes.empty()) throw BadCommand(fmt::format("{} has no probe; expected [[probes]] with the quantity whose error matters", scene.file));
+  if (scene.probes.empty())
+    throw BadCommand(fmt::format(
+        "{} has no probe; expected [[probes]] with the quantity whose error matters", scene.file));
   if (name.empty()) return scene.probes.front();
   std::vector<std::string> names;
   for (const Probe& probe : scene.probes) {
     if (probe.name == name) return probe;
     names.push_back(probe.name);
   }
-  throw BadCommand(fmt::format("--probe: no probe is called {}; expected {}{}", in_quotes(name), one_of(names), did_you_mean(name, names)));
+  throw BadCommand(fmt::format("--probe: no probe is called {}; expected {}{}", in_quotes(name),
+                               one_of(names), did_you_mean(name, names)));
 }
 
 Reduce reduce_of(const Scene& scene, const std::string& word) {
-  static const std::vector<std::pair<std::string, Reduce>> known = {{"final", Reduce::final}, {"peak", Reduce::peak}, {"mean", Reduce::mean}};
+  static const std::vector<std::pair<std::string, Reduce>> known = {
+      {"final", Reduce::final}, {"peak", Reduce::peak}, {"mean", Reduce::mean}};
   if (word.empty()) return scene.settling ? Reduce::final : Reduce::peak;
   std::vector<std::string> names;
   for (const auto& [name, reduce] : known) {
     if (name == word) return reduce;
     names.push_back(name);
   }
-  throw BadCommand(fmt::format("--reduce: {} is unknown; expected {}{}", in_quotes(word), one_of(names), did_you_mean(word, names)));
+  throw BadCommand(fmt::format(
+      "--reduce: {} is unknown; expected {}{}", in_quotes(word), one_of(names), did_you_mean(word, names)));
 }
 
 /// The component that moves most in a coarse run by whichever method can make one.
-std::string largest_component(const Scene& scene, const Probe& probe, const std::vector<std::string>& components, const Question& question) {
+std::string largest_component(const Scene& scene, const Probe& probe,
+                              const std::vector<std::string>& components, const Question& question) {
   double shortest = 1e300;
   for (const Body& body : scene.bodies)
-    for (int a = 0; !body.rigid && a < scene.dim(); ++a) shortest = std::min(shortest, body.shape->upper()[a] - body.shape->lower()[a]);
+    for (int a = 0; !body.rigid && a < scene.dim(); ++a)
+      shortest = std::min(shortest, body.shape->upper()[a] - body.shape->lower()[a]);
   std::string why;
   for (const int divisions : {2, 4, 8})
     for (const Method& method : question.methods) try {
@@ -79,7 +88,11 @@ std::string largest_component(const Scene& scene, const Probe& probe, const std:
         double most = -1;
         for (const std::string& c : components) {
           const auto& values = r.history[probe.name + "_" + c].values;
-          const double size = question.quantity.reduce == Reduce::final ? std::abs(values.back()) : std::abs(*std::max_element(values.begin(), values.end(), [](double a, double b) { return std::abs(a) < std::abs(b); }));
+          const double size = question.quantity.reduce == Reduce::final
+                                  ? std::abs(values.back())
+                                  : std::abs(*std::max_element(
+                                        values.begin(), values.end(),
+                                        [](double a, double b) { return std::abs(a) < std::abs(b); }));
           if (size > most) most = size, best = c;
         }
         return best;
@@ -93,7 +106,8 @@ std::string largest_component(const Scene& scene, const Probe& probe, const std:
 
 Question question_of(const AdviseCommand& c, const Scene& scene) {
   Question q;
-  if (c.error.empty() == c.within.empty()) throw BadCommand("how good, or how long? give either --error 1% or --within \"10 min\"");
+  if (c.error.empty() == c.within.empty())
+    throw BadCommand("how good, or how long? give either --error 1% or --within \"10 min\"");
   if (!c.error.empty()) q.error = percent_of(c.error);
   if (!c.within.empty()) q.within = seconds_of("--within", c.within);
   q.budget = seconds_of("--budget", c.budget);
@@ -106,16 +120,25 @@ Question question_of(const AdviseCommand& c, const Scene& scene) {
   }
   for (std::size_t i = 0; i < q.methods.size(); ++i)  // one that stands there twice would confirm itself
     for (std::size_t j = 0; j < i; ++j)
-      if (q.methods[i].name == q.methods[j].name) throw BadCommand(fmt::format("--methods: {} is given twice", q.methods[i].name));
+      if (q.methods[i].name == q.methods[j].name)
+        throw BadCommand(fmt::format("--methods: {} is given twice", q.methods[i].name));
   const Probe& probe = probe_of(scene, c.probe);
   q.quantity.reduce = reduce_of(scene, c.reduce);
   const auto components = component_names(probe.quantity, scene.dim());
-  if (!c.component.empty() && std::find(components.begin(), components.end(), c.component) == components.end())
-    throw BadCommand(fmt::format("--component: {} has no {}; expected {}", probe.name, in_quotes(c.component), one_of(components)));
+  if (!c.component.empty() &&
+      std::find(components.begin(), components.end(), c.component) == components.end())
+    throw BadCommand(fmt::format(
+        "--component: {} has no {}; expected {}", probe.name, in_quotes(c.component), one_of(components)));
   const std::string si = unit_of(probe.quantity);
-  q.quantity.observed = {probe.name, "", "", "", c.component, si == "m" ? Unit{"mm", 1e-3} : si == "Pa" ? Unit{"MPa", 1e6} : Unit{si, 1}};
-  if (c.component.empty()) q.quantity.observed.component = components.size() == 1 ? components[0] : largest_component(scene, probe, components, q);
-  const char* word = q.quantity.reduce == Reduce::final ? "at the end" : q.quantity.reduce == Reduce::peak ? "at its peak" : "on average";
+  q.quantity.observed = {
+      probe.name, "",          "",
+      "",         c.component, si == "m" ? Unit{"mm", 1e-3} : si == "Pa" ? Unit{"MPa", 1e6} : Unit{si, 1}};
+  if (c.component.empty())
+    q.quantity.observed.component = components.size() == 1 ? components[0]
+                                                           : largest_component(scene, probe, components, q);
+  const char* word = q.quantity.reduce == Reduce::final  ? "at the end"
+                     : q.quantity.reduce == Reduce::peak ? "at its peak"
+                                                         : "on average";
   q.quantity.name = fmt::format("{}_{} {}", probe.name, q.quantity.observed.component, word);
   return q;
 }

@@ -3,11 +3,11 @@
 #include <algorithm>
 #include <cmath>
 
-#include "compare/run/capacity.hpp"
 #include "compare/program/commands.hpp"
+#include "compare/run/capacity.hpp"
 #include "model/motion/mass_properties.hpp"
-#include "model/numerics/parallel.hpp"
 #include "model/motion/price.hpp"
+#include "model/numerics/parallel.hpp"
 #include "model/scene/reader/reader.hpp"
 
 namespace femsph::compare {
@@ -15,22 +15,31 @@ namespace femsph::compare {
 namespace {
 
 void print_scene(const Scene& scene) {
-  const auto line = [](const std::string& key, const std::string& value) { fmt::print("  {:<24} {}\n", key, value); };
+  const auto line = [](const std::string& key, const std::string& value) {
+    fmt::print("  {:<24} {}\n", key, value);
+  };
   fmt::print("{}: {}\n", scene.file, scene.title);
-  line("plane", scene.plane == Plane::stress ? "plane stress" : scene.plane == Plane::strain ? "plane strain" : "none: three-dimensional");
+  line("plane", scene.plane == Plane::stress   ? "plane stress"
+                : scene.plane == Plane::strain ? "plane strain"
+                                               : "none: three-dimensional");
   for (const Body& body : scene.bodies) {
     if (body.rigid) {
       line("body " + body.name, fmt::format("rigid {}", body.shape->describe()));
-      line("mass of " + body.name, to_text(mass_of(scene, std::size_t(&body - scene.bodies.data())), scene.dim()));
+      line("mass of " + body.name,
+           to_text(mass_of(scene, std::size_t(&body - scene.bodies.data())), scene.dim()));
       continue;
     }
     const Material& m = scene.material_of(body);
-    line("body " + body.name, fmt::format("{}, {} (E {:.4g} GPa, nu {:g}, rho {:g} kg/m3)", body.shape->describe(), m.name, m.young / 1e9, m.poisson, m.density));
-    line("mass of " + body.name, to_text(mass_of(scene, std::size_t(&body - scene.bodies.data())), scene.dim()));
+    line("body " + body.name,
+         fmt::format("{}, {} (E {:.4g} GPa, nu {:g}, rho {:g} kg/m3)", body.shape->describe(), m.name,
+                     m.young / 1e9, m.poisson, m.density));
+    line("mass of " + body.name,
+         to_text(mass_of(scene, std::size_t(&body - scene.bodies.data())), scene.dim()));
   }
   line("supports, loads", fmt::format("{}, {}", scene.supports.size(), scene.loads.size()));
   line("probes, sections", fmt::format("{}, {}", scene.probes.size(), scene.sections.size()));
-  line("duration", fmt::format("{:g} ms{}", scene.duration * 1e3, scene.settling ? " at most: until settled" : ""));
+  line("duration",
+       fmt::format("{:g} ms{}", scene.duration * 1e3, scene.settling ? " at most: until settled" : ""));
 }
 
 std::string effects_line(const std::vector<std::string>& on) {
@@ -59,7 +68,8 @@ std::string effects_off(const Scene& scene) {
 }
 
 /// Seconds of CPU for one step, from some tenths of a second of them.
-double seconds_per_step(const Scene& scene, const Method& method, const Resolution& resolution, const MarchOptions& options, double step, std::size_t units) {
+double seconds_per_step(const Scene& scene, const Method& method, const Resolution& resolution,
+                        const MarchOptions& options, double step, std::size_t units) {
   const double steps = std::clamp(2e7 / double(units), 20.0, 2000.0);
   Scene brief = scene;
   brief.duration = steps * step;
@@ -99,8 +109,8 @@ int check_command(const RunCommand& command) {
   for (const auto& [key, value] : derived_values(march))
     if (key != "effects on") fmt::print("  {:<24} {}\n", key, value);
   const double each = seconds_per_step(scene, method, resolution, options, march.dt(), march.price().units);
-  fmt::print("  {:<24} {:.2g} s of CPU ({:.3g} ns a unit and step, measured)\n", "time", each * double(march.planned_steps()),
-             1e9 * each / double(march.price().units));
+  fmt::print("  {:<24} {:.2g} s of CPU ({:.3g} ns a unit and step, measured)\n", "time",
+             each * double(march.planned_steps()), 1e9 * each / double(march.price().units));
   return 0;
 }
 

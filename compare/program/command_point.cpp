@@ -1,10 +1,10 @@
 #include <fmt/format.h>
 
 #include "compare/program/commands.hpp"
+#include "model/input/toml_fields.hpp"
 #include "model/material/point.hpp"
 #include "model/results/history.hpp"
 #include "model/scene/reader/reader.hpp"
-#include "model/input/toml_fields.hpp"
 
 namespace femsph::compare {
 
@@ -17,7 +17,8 @@ T word(const char* option, const std::string& value, const std::vector<std::pair
     if (name == value) return meaning;
     names.push_back(name);
   }
-  throw BadCommand(fmt::format("{} cannot be {}; expected {}{}", option, in_quotes(value), one_of(names), did_you_mean(value, names)));
+  throw BadCommand(fmt::format(
+      "{} cannot be {}; expected {}{}", option, in_quotes(value), one_of(names), did_you_mean(value, names)));
 }
 
 const Material& material_named(const Scene& scene, const std::string& name) {
@@ -26,7 +27,8 @@ const Material& material_named(const Scene& scene, const std::string& name) {
     if (known == name) return material;
     names.push_back(known);
   }
-  throw BadCommand(fmt::format("--material: no material {} in {}; expected {}{}", in_quotes(name), scene.file, one_of(names), did_you_mean(name, names)));
+  throw BadCommand(fmt::format("--material: no material {} in {}; expected {}{}", in_quotes(name), scene.file,
+                               one_of(names), did_you_mean(name, names)));
 }
 
 }  // namespace
@@ -34,17 +36,24 @@ const Material& material_named(const Scene& scene, const std::string& name) {
 int point_command(const PointCommand& command) {
   const Scene scene = read_scene(command.scene);
   Material material = material_named(scene, command.material);
-  const Plane plane = command.plane.empty() ? scene.plane
-                                            : word<Plane>("--plane", command.plane, {{"stress", Plane::stress}, {"strain", Plane::strain}, {"none", Plane::none}});
+  const Plane plane =
+      command.plane.empty()
+          ? scene.plane
+          : word<Plane>("--plane", command.plane,
+                        {{"stress", Plane::stress}, {"strain", Plane::strain}, {"none", Plane::none}});
   if (!command.integration.empty()) {
     const Integration integration = word("--integration", command.integration, integrations());
-    if (!material.plasticity) throw BadCommand(fmt::format("--integration: the material {} is elastic", in_quotes(material.name)));
+    if (!material.plasticity)
+      throw BadCommand(fmt::format("--integration: the material {} is elastic", in_quotes(material.name)));
     material.plasticity->integration = integration;
   }
-  const auto path = read_path(read_text_file(command.path, "a path of strains", Length::any), command.path, plane);
+  const auto path = read_path(
+      read_text_file(command.path, "a path of strains", Length::any), command.path, plane);
   const std::string answer = point_csv(material.law(plane), plane, path);
-  if (command.out.empty()) fmt::print("{}", answer);
-  else write_text(answer, command.out);
+  if (command.out.empty())
+    fmt::print("{}", answer);
+  else
+    write_text(answer, command.out);
   return 0;
 }
 

@@ -28,15 +28,17 @@ struct RunCommand {
   int threads = 1;
   std::string out;
   bool fields = true;
-  std::string command;  ///< the command line, for the record
-  std::vector<std::string> arguments;      ///< the same, word by word, for a checkpoint
-  std::optional<std::string> checkpoint;   ///< "1000" steps, or "10 min" of the wall clock
-  std::shared_ptr<const Checkpoint> from;  ///< `femsph resume`: go on from here, in place of reading the scene file
+  std::string command;                    ///< the command line, for the record
+  std::vector<std::string> arguments;     ///< the same, word by word, for a checkpoint
+  std::optional<std::string> checkpoint;  ///< "1000" steps, or "10 min" of the wall clock
+  std::shared_ptr<const Checkpoint>
+      from;  ///< `femsph resume`: go on from here, in place of reading the scene file
 };
 
 /// Returns the exit code. Throws what run_scene throws.
 int run_command(const RunCommand& command);
-/// Reads the scene; with a solver and a resolution also discretizes it, and prints what follows: sizes, critical step, memory, time.
+/// Reads the scene; with a solver and a resolution also discretizes it, and prints what follows: sizes,
+/// critical step, memory, time.
 int check_command(const RunCommand& command);
 
 /// `femsph point`: one material point along a path of strains.
@@ -50,12 +52,13 @@ int point_command(const PointCommand& command);
 /// `femsph advise`: which method, how fine?
 struct AdviseCommand {
   std::string scene;
-  std::string error, within;             ///< one of them: "1%" or "0.01"; "10 min"
-  std::string probe, component, reduce;  ///< empty: the first probe, its largest component, its end (settling) or peak
-  std::vector<std::string> methods;      ///< empty: the four elements, classic (share) and corrected SPH
+  std::string error, within;  ///< one of them: "1%" or "0.01"; "10 min"
+  std::string probe, component,
+      reduce;  ///< empty: the first probe, its largest component, its end (settling) or peak
+  std::vector<std::string> methods;  ///< empty: the four elements, classic (share) and corrected SPH
   std::string budget = "30 s";
   double safety = 0.98;
-  bool run = false;                      ///< make the advised run too
+  bool run = false;  ///< make the advised run too
 };
 /// Returns the exit code: 0, or 3 when there is no advice. Throws BadCommand.
 int advise_command(const AdviseCommand& command);
@@ -68,8 +71,8 @@ class BadCommand : public std::runtime_error {
 
 inline constexpr int most_threads = 512, most_divisions = 1'000'000;
 
-/// The method and resolution that a command line asks for. Throw BadCommand, with "did you mean": for numbers out of their range, and for
-/// options that would do nothing.
+/// The method and resolution that a command line asks for. Throw BadCommand, with "did you mean": for numbers
+/// out of their range, and for options that would do nothing.
 Method method_of(const RunCommand& command);
 Resolution resolution_of(const RunCommand& command, const Scene& scene, const Method& method);
 /// The number, if it is in its range. Throw BadCommand.
@@ -93,14 +96,16 @@ struct StudyCommand {
   std::string command;         ///< the command line, for the records
 };
 
-/// Runs a study and writes its tables, data and figures. Returns the exit code: 0, or 3 when a run, a figure or a claim's row is missing.
-/// Throws InputError or std::runtime_error when the study cannot be started or its results cannot be written.
+/// Runs a study and writes its tables, data and figures. Returns the exit code: 0, or 3 when a run, a figure
+/// or a claim's row is missing. Throws InputError or std::runtime_error when the study cannot be started or
+/// its results cannot be written.
 int study_command(const StudyCommand& command);
 
 /// `femsph list`: the studies found, the methods and the theory values. Returns 0.
 int list_command(const std::string& program);
 
-/// The folder that holds the studies: $FEMSPH_STUDIES, else ./studies, else ../../studies beside the program. Throws std::runtime_error.
+/// The folder that holds the studies: $FEMSPH_STUDIES, else ./studies, else ../../studies beside the program.
+/// Throws std::runtime_error.
 std::string studies_folder(const std::string& program);
 
 /// study_command with another engine.

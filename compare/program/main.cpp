@@ -11,39 +11,73 @@
 #include "compare/run/interruption.hpp"
 #include "compare/run/run_output.hpp"
 #include "compare/study/reader/study.hpp"
+#include "model/input/faults.hpp"
 #include "model/motion/march.hpp"
 #include "model/results/record.hpp"
-#include "model/input/faults.hpp"
 
 namespace {
 
 using namespace femsph;
 using namespace femsph::compare;
 
-enum Exit { done = 0, bad_input = 1, bad_command = 2, bad_run = 3, bad_machine = 4, stopped = 5, interrupted = 6 };
+enum Exit {
+  done = 0,
+  bad_input = 1,
+  bad_command = 2,
+  bad_run = 3,
+  bad_machine = 4,
+  stopped = 5,
+  interrupted = 6
+};
 
 const char* const exit_codes =
-    "Exit codes: 0 done; 1 bad input (scene, study, checkpoint); 2 bad command line (also a number out of its range, or an option that\n"
-    "would do nothing); 3 a run that cannot begin (the method refuses the scene, bodies overlap, nothing can move, ..), one with\n"
+    "Exit codes: 0 done; 1 bad input (scene, study, checkpoint); 2 bad command line (also a number out of "
+    "its range, or an option that\n"
+    "would do nothing); 3 a run that cannot begin (the method refuses the scene, bodies overlap, nothing can "
+    "move, ..), one with\n"
     "[settling] that did not settle (its results are written), a study of which something is\n"
-    "missing, or no advice; 4 the machine (files, disk, memory); 5 a watch stopped the run: the message says where and why; 6 interrupted (SIGINT, SIGTERM): `femsph resume` goes on.";
+    "missing, or no advice; 4 the machine (files, disk, memory); 5 a watch stopped the run: the message says "
+    "where and why; 6 interrupted (SIGINT, SIGTERM): `femsph resume` goes on.";
 
 void add_method_options(CLI::App* command, RunCommand& c) {
   command->add_option("scene", c.scene, "scene file (TOML)")->required();
-  command->add_option("--solver", c.solver, "sph (sph-corrected) or fem (fem-full), or a method's full name: see `femsph list`")->required();
+  command
+      ->add_option("--solver", c.solver,
+                   "sph (sph-corrected) or fem (fem-full), or a method's full name: see `femsph list`")
+      ->required();
   command->add_option("--spacing", c.spacing, "particle spacing, or edge of a cell: \"10 mm\"");
-  command->add_option("--divisions", c.divisions, "cells along each axis of every body, in place of a spacing: 100,10")->delimiter(',')->expected(1, 3);
-  command->add_option("--smoothing", c.smoothing, "SPH: smoothing length h over the spacing d, 0.6 to 4 (default 1)");
+  command
+      ->add_option(
+          "--divisions", c.divisions, "cells along each axis of every body, in place of a spacing: 100,10")
+      ->delimiter(',')
+      ->expected(1, 3);
+  command->add_option(
+      "--smoothing", c.smoothing, "SPH: smoothing length h over the spacing d, 0.6 to 4 (default 1)");
   command->add_option("--kernel", c.kernel, "SPH: cubic-spline (default) or wendland-c2");
-  command->add_option("--mass", c.mass, "SPH: mass of a particle: share, full or trapezoid (default: the method's)");
-  command->add_option("--kernel-volume", c.kernel_volume, "corrected SPH: a neighbour's volume in kernel sums: whole (its whole cell, default) or own (half a cell on a side)");
-  command->add_option("--dilatation", c.dilatation,
-                      "corrected SPH: the change of volume that the law is given: local (the particle's own), mean (over its neighbours), or\n"
-                      "automatic (default: mean where Poisson's ratio is above 0.4 or the material flows plastically, except in plane stress)");
-  command->add_option("--viscosity", c.viscosity, "classic SPH: alpha,beta,gamma of the artificial viscosity (eq. 5)")->delimiter(',')->expected(3);
-  command->add_option("--hourglass", c.hourglass, "coefficient of the hourglass control, 0 to 10: sph-corrected; fem-one-point takes Flanagan and Belytschko's control by it, instead of its physical stabilization");
-  command->add_flag("!--no-projection", c.projection, "sph-corrected: leave the weights of scattered particles as the kernel has them; a uniform stress is then not exact");
-  command->add_option("--safety", c.safety, "step = safety x critical step; above 0, up to 1")->capture_default_str();
+  command->add_option(
+      "--mass", c.mass, "SPH: mass of a particle: share, full or trapezoid (default: the method's)");
+  command->add_option("--kernel-volume", c.kernel_volume,
+                      "corrected SPH: a neighbour's volume in kernel sums: whole (its whole cell, default) "
+                      "or own (half a cell on a side)");
+  command->add_option(
+      "--dilatation", c.dilatation,
+      "corrected SPH: the change of volume that the law is given: local (the particle's "
+      "own), mean (over its neighbours), or\n"
+      "automatic (default: mean where Poisson's ratio is above 0.4 or the material flows "
+      "plastically, except in plane stress)");
+  command
+      ->add_option(
+          "--viscosity", c.viscosity, "classic SPH: alpha,beta,gamma of the artificial viscosity (eq. 5)")
+      ->delimiter(',')
+      ->expected(3);
+  command->add_option("--hourglass", c.hourglass,
+                      "coefficient of the hourglass control, 0 to 10: sph-corrected; fem-one-point takes "
+                      "Flanagan and Belytschko's control by it, instead of its physical stabilization");
+  command->add_flag("!--no-projection", c.projection,
+                    "sph-corrected: leave the weights of scattered particles as the kernel has them; a "
+                    "uniform stress is then not exact");
+  command->add_option("--safety", c.safety, "step = safety x critical step; above 0, up to 1")
+      ->capture_default_str();
   command->add_option("--threads", c.threads, "threads of every loop, up to 512")->capture_default_str();
 }
 
@@ -52,7 +86,8 @@ void add_run_options(CLI::App* command, RunCommand& c) {
   command->add_option("--out", c.out, "folder for results")->required();
   command->add_flag("!--no-fields", c.fields, "write no fields (histories and record only)");
   command->add_option("--checkpoint", c.checkpoint,
-                      "write OUT/checkpoint.h5 every so many steps (1000) or so often on the clock (\"10 min\"), for `femsph resume OUT`;\n"
+                      "write OUT/checkpoint.h5 every so many steps (1000) or so often on the clock (\"10 "
+                      "min\"), for `femsph resume OUT`;\n"
                       "an interruption (SIGINT, SIGTERM) writes one in any case");
   command->footer(exit_codes);
 }
@@ -86,15 +121,18 @@ int resume_command(const ResumeCommand& resume) {
 /// `femsph check` without a solver only reads the scene: what belongs to a discretization would do nothing.
 void refuse_without_solver(CLI::App& check) {
   if (check.get_option("--solver")->count() > 0) {
-    if (check.get_option("--solver")->as<std::string>().empty()) throw BadCommand("--solver is empty; expected sph, fem or a method's name");
+    if (check.get_option("--solver")->as<std::string>().empty())
+      throw BadCommand("--solver is empty; expected sph, fem or a method's name");
     return;
   }
   for (const CLI::Option* option : check.get_options())
-    if (option->count() > 0 && option->get_name() != "scene") throw BadCommand(fmt::format("{} does nothing without --solver", option->get_name()));
+    if (option->count() > 0 && option->get_name() != "scene")
+      throw BadCommand(fmt::format("{} does nothing without --solver", option->get_name()));
 }
 
 int run_program(int argc, char** argv) {
-  CLI::App app("femsph compares SPH and explicit FEM for solid dynamics: one scene, two discretizations, one table.");
+  CLI::App app(
+      "femsph compares SPH and explicit FEM for solid dynamics: one scene, two discretizations, one table.");
   app.set_version_flag("--version", [] { return version_text(); });
   app.require_subcommand(1);
   app.footer(exit_codes);
@@ -103,52 +141,77 @@ int run_program(int argc, char** argv) {
 
   StudyCommand study;
   study.threads = all;
-  CLI::App* study_app = app.add_subcommand("study", "run a study: matched cases, a table of errors and prices, figures");
-  study_app->add_option("name", study.name, "name of a folder in studies/, or path of a study file")->required();
-  study_app->add_option("--out", study.out, "folder for results; the study writes into its own subfolder")->capture_default_str();
+  CLI::App* study_app = app.add_subcommand(
+      "study", "run a study: matched cases, a table of errors and prices, figures");
+  study_app->add_option("name", study.name, "name of a folder in studies/, or path of a study file")
+      ->required();
+  study_app->add_option("--out", study.out, "folder for results; the study writes into its own subfolder")
+      ->capture_default_str();
   study_app->add_flag("--quick", study.quick, "the short form: coarse cases only");
   study_app->add_flag("--update-readme", study.update_readme, "write the table into the study's README.md");
-  study_app->add_option("--threads", study.threads, "threads of every loop, up to 512")->capture_default_str();
+  study_app->add_option("--threads", study.threads, "threads of every loop, up to 512")
+      ->capture_default_str();
 
   RunCommand run;
   run.threads = all;
-  CLI::App* run_app = app.add_subcommand("run", "run one scene by one method; write fields, histories and the run record");
+  CLI::App* run_app = app.add_subcommand(
+      "run", "run one scene by one method; write fields, histories and the run record");
   add_run_options(run_app, run);
 
   ResumeCommand resume;
-  CLI::App* resume_app = app.add_subcommand("resume", "go on with a run that was interrupted, from its last checkpoint; the results are those of an uninterrupted run");
+  CLI::App* resume_app = app.add_subcommand(
+      "resume",
+      "go on with a run that was interrupted, from its last "
+      "checkpoint; the results are those of an uninterrupted run");
   resume_app->add_option("folder", resume.folder, "the run's folder (its --out)")->required();
   resume_app->add_option("--checkpoint", resume.checkpoint, "as for `femsph run` (default: as that run)");
   resume_app->add_option("--threads", resume.threads, "threads of every loop (default: as that run)");
-  resume_app->add_flag("--any-program", resume.any_program, "also from a checkpoint of another build of femsph; results may differ then");
+  resume_app->add_flag("--any-program", resume.any_program,
+                       "also from a checkpoint of another build of femsph; results may differ then");
   resume_app->footer(exit_codes);
 
   RunCommand check;
   check.threads = all;
-  CLI::App* check_app = app.add_subcommand("check", "read a scene and print what follows from it; runs nothing");
+  CLI::App* check_app = app.add_subcommand(
+      "check", "read a scene and print what follows from it; runs nothing");
   add_method_options(check_app, check);
   check_app->get_option("--solver")->required(false);
 
   PointCommand point;
-  CLI::App* point_app = app.add_subcommand("point", "drive the law of one material along a path of strains; no discretization");
+  CLI::App* point_app = app.add_subcommand(
+      "point", "drive the law of one material along a path of strains; no discretization");
   point_app->add_option("scene", point.scene, "scene file (TOML)")->required();
   point_app->add_option("--material", point.material, "a material of the scene")->required();
-  point_app->add_option("--path", point.path, "CSV of total strains, one row a step: exx,eyy,gxy or exx,eyy,ezz,gxy,gyz,gzx (g = 2 e)")->required();
+  point_app
+      ->add_option("--path", point.path,
+                   "CSV of total strains, one row a step: exx,eyy,gxy or exx,eyy,ezz,gxy,gyz,gzx (g = 2 e)")
+      ->required();
   point_app->add_option("--plane", point.plane, "stress, strain or none (default: the scene's)");
-  point_app->add_option("--integration", point.integration, "return, no-return-1, no-return-3 or no-return-8 (default: the material's)");
+  point_app->add_option("--integration", point.integration,
+                        "return, no-return-1, no-return-3 or no-return-8 (default: the material's)");
   point_app->add_option("--out", point.out, "CSV to write (default: the terminal)");
 
   AdviseCommand advise;
-  CLI::App* advise_app = app.add_subcommand("advise", "which method, how fine? a short ladder of the scene by each method, and what it says; times are CPU times of one thread");
+  CLI::App* advise_app = app.add_subcommand(
+      "advise",
+      "which method, how fine? a short ladder of the scene by each "
+      "method, and what it says; times are CPU times of one thread");
   advise_app->add_option("scene", advise.scene, "scene file (TOML)")->required();
   advise_app->add_option("--error", advise.error, "the least time for this error: 1% or 0.01");
   advise_app->add_option("--within", advise.within, "the least error in this time: \"10 min\"");
   advise_app->add_option("--probe", advise.probe, "of which probe (default: the scene's first)");
-  advise_app->add_option("--component", advise.component, "of which component: x, y, xx, .. (default: the largest)");
-  advise_app->add_option("--reduce", advise.reduce, "final, peak or mean (default: final of a scene that settles, else peak)");
-  advise_app->add_option("--methods", advise.methods, "by which methods (default: the four elements, sph-classic-share, sph-corrected)")->delimiter(',');
-  advise_app->add_option("--budget", advise.budget, "CPU time for all ladders together")->capture_default_str();
-  advise_app->add_option("--safety", advise.safety, "step = safety x critical step; above 0, up to 1")->capture_default_str();
+  advise_app->add_option(
+      "--component", advise.component, "of which component: x, y, xx, .. (default: the largest)");
+  advise_app->add_option(
+      "--reduce", advise.reduce, "final, peak or mean (default: final of a scene that settles, else peak)");
+  advise_app
+      ->add_option("--methods", advise.methods,
+                   "by which methods (default: the four elements, sph-classic-share, sph-corrected)")
+      ->delimiter(',');
+  advise_app->add_option("--budget", advise.budget, "CPU time for all ladders together")
+      ->capture_default_str();
+  advise_app->add_option("--safety", advise.safety, "step = safety x critical step; above 0, up to 1")
+      ->capture_default_str();
   advise_app->add_flag("--run", advise.run, "make the advised run too, and say how it went");
 
   CLI::App* list_app = app.add_subcommand("list", "list studies and methods");
@@ -200,7 +263,8 @@ int main(int argc, char** argv) {
     fmt::print(stderr, "femsph: {}\n", error.what());
     return bad_run;
   } catch (const std::bad_alloc&) {
-    fmt::print(stderr, "femsph: out of memory; take a coarser spacing (`femsph check` estimates the memory)\n");
+    fmt::print(
+        stderr, "femsph: out of memory; take a coarser spacing (`femsph check` estimates the memory)\n");
     return bad_machine;
   } catch (const std::exception& error) {
     fmt::print(stderr, "femsph: {}\n", error.what());

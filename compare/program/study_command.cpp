@@ -7,15 +7,15 @@
 #include <filesystem>
 #include <stdexcept>
 
-#include "compare/program/commands.hpp"
-#include "compare/report/figures.hpp"
 #include "compare/price/price_tables.hpp"
+#include "compare/price/study_advice.hpp"
+#include "compare/program/commands.hpp"
+#include "compare/reference/theory.hpp"
+#include "compare/report/figures.hpp"
 #include "compare/report/readme.hpp"
 #include "compare/study/series.hpp"
-#include "compare/price/study_advice.hpp"
-#include "compare/reference/theory.hpp"
-#include "model/numerics/parallel.hpp"
 #include "model/input/toml_fields.hpp"
+#include "model/numerics/parallel.hpp"
 
 namespace femsph::compare {
 namespace {
@@ -41,30 +41,35 @@ std::vector<std::string> studies_in(const std::string& folder) {
 // A study.toml, a folder that holds one, or the name of a study.
 std::string study_file(const StudyCommand& command) {
   if (fs::is_regular_file(command.name)) return command.name;
-  if (fs::is_regular_file(fs::path(command.name) / "study.toml")) return (fs::path(command.name) / "study.toml").string();
+  if (fs::is_regular_file(fs::path(command.name) / "study.toml"))
+    return (fs::path(command.name) / "study.toml").string();
   const std::string folder = studies_folder(command.program);
   const auto names = studies_in(folder);
   if (std::find(names.begin(), names.end(), command.name) == names.end())
-    throw BadCommand(fmt::format("no study is called {}; expected a folder or one of {} in {}{}", in_quotes(command.name),
-                                 one_of(names), folder, did_you_mean(command.name, names)));
+    throw BadCommand(fmt::format(
+        "no study is called {}; expected a folder or one of {} in {}{}", in_quotes(command.name),
+        one_of(names), folder, did_you_mean(command.name, names)));
   return (fs::path(folder) / command.name / "study.toml").string();
 }
 
 void make_folder(const fs::path& folder) {
   std::error_code failed;
   fs::create_directories(folder, failed);
-  if (failed) throw std::runtime_error(fmt::format("cannot make the folder {}: {}", folder.string(), failed.message()));
+  if (failed)
+    throw std::runtime_error(fmt::format("cannot make the folder {}: {}", folder.string(), failed.message()));
 }
 
 std::string table_for_people(const Study& study, const std::vector<Row>& rows) {
-  return study.bounds.empty() ? markdown(rows, orders_of(rows)) : markdown(judge(study.bounds, study.expectations, rows));
+  return study.bounds.empty() ? markdown(rows, orders_of(rows))
+                              : markdown(judge(study.bounds, study.expectations, rows));
 }
 
 // A study with bounds shows verdicts; what other studies show is its details.csv.
 void write_tables(const Study& study, const std::vector<Row>& rows, const fs::path& folder) {
   const auto orders = orders_of(rows);
   const bool verdicts = !study.bounds.empty();
-  if (verdicts) write_text(csv(judge(study.bounds, study.expectations, rows)), (folder / "table.csv").string());
+  if (verdicts)
+    write_text(csv(judge(study.bounds, study.expectations, rows)), (folder / "table.csv").string());
   write_text(csv(rows), (folder / (verdicts ? "details.csv" : "table.csv")).string());
   write_text(table_for_people(study, rows), (folder / "table.md").string());
   write_text(csv(orders), (folder / "orders.csv").string());
@@ -74,7 +79,8 @@ int write_figures(const Study& study, const fs::path& folder) {
   const fs::path script = fs::path(study.folder) / "plot.gp";
   if (!fs::exists(script)) return 0;
   try {
-    make_figures(script.string(), (fs::path(study.folder) / ".." / "style.gp").string(), (folder / "data").string(), folder.string());
+    make_figures(script.string(), (fs::path(study.folder) / ".." / "style.gp").string(),
+                 (folder / "data").string(), folder.string());
     return 0;
   } catch (const std::runtime_error& e) {
     complain(e.what());
@@ -95,8 +101,10 @@ int write_series(const Study& study, const StudyOutcome& outcome, const fs::path
   return failures;
 }
 
-/// price.csv and what belongs to it. Returns the text for the README: with prices it stands for the long table of runs.
-std::string write_prices(const Study& study, const std::vector<Row>& rows, const fs::path& folder, const std::string& table) {
+/// price.csv and what belongs to it. Returns the text for the README: with prices it stands for the long
+/// table of runs.
+std::string write_prices(const Study& study, const std::vector<Row>& rows, const fs::path& folder,
+                         const std::string& table) {
   if (study.prices.empty()) return table;
   const auto scenes = priced_scenes(study, rows);
   const std::string text = price_markdown(scenes);
@@ -112,7 +120,8 @@ std::string write_prices(const Study& study, const std::vector<Row>& rows, const
   return text;
 }
 
-int write_claims(const Study& study, const std::vector<Row>& rows, bool quick, const fs::path& folder, std::string& table) {
+int write_claims(const Study& study, const std::vector<Row>& rows, bool quick, const fs::path& folder,
+                 std::string& table) {
   if (study.claims.empty()) return 0;
   const auto verdicts = judge(study.claims, rows);
   write_text(csv(verdicts), (folder / "claims.csv").string());
@@ -132,7 +141,8 @@ int complain_of_failed(const Study& study, const std::vector<Row>& rows) {
   int failed = 0;
   for (const JudgedRow& judged : judge(study.bounds, study.expectations, rows)) {
     if (judged.verdict != JudgedRow::Verdict::failed) continue;
-    complain(fmt::format("{} {} {} {}: {}", study.name, judged.row->case_name, judged.row->method, judged.row->quantity, judged.reason));
+    complain(fmt::format("{} {} {} {}: {}", study.name, judged.row->case_name, judged.row->method,
+                         judged.row->quantity, judged.reason));
     ++failed;
   }
   return failed;
@@ -157,7 +167,8 @@ int run_one(const Study& study, const StudyCommand& command, const Engine& engin
   std::vector<Row> own;
   for (const Study& other : study.collected) failures += run_one(other, command, engine, own);
 
-  StudyOptions options{command.quick, command.command, print, [&](const StudyOutcome& so_far) { write_tables(study, so_far.rows, top); }};
+  StudyOptions options{command.quick, command.command, print,
+                       [&](const StudyOutcome& so_far) { write_tables(study, so_far.rows, top); }};
   const StudyOutcome outcome = run_study(study, engine, options);
   failures += study.bounds.empty() ? outcome.failures : complain_of_failed(study, outcome.rows);
   own.insert(own.end(), outcome.rows.begin(), outcome.rows.end());
@@ -166,7 +177,8 @@ int run_one(const Study& study, const StudyCommand& command, const Engine& engin
   std::string table = write_prices(study, own, top, table_for_people(study, own));
   if (!study.advice.empty() && !command.quick) {
     const auto followed = follow_advice(study, own, engine, print);
-    failures += int(std::count_if(followed.begin(), followed.end(), [](const FollowedAdvice& one) { return !one.outcome; }));
+    failures += int(std::count_if(
+        followed.begin(), followed.end(), [](const FollowedAdvice& one) { return !one.outcome; }));
     write_text(csv(followed), (top / "advice.csv").string());
     table += markdown(followed);
   }
@@ -191,10 +203,13 @@ std::string studies_folder(const std::string& program) {
   if (beside.empty()) beside = program;
   beside = (beside.parent_path() / ".." / ".." / "studies").lexically_normal();
   if (fs::is_directory(beside, ignored)) return beside.string();
-  throw BadCommand("no folder of studies; expected ./studies, or its path in the environment variable FEMSPH_STUDIES");
+  throw BadCommand(
+      "no folder of studies; expected ./studies, or its path in the environment variable FEMSPH_STUDIES");
 }
 
-int study_command(const StudyCommand& command) { return study_command(command, {run_scene, fem::static_limit}); }
+int study_command(const StudyCommand& command) {
+  return study_command(command, {run_scene, fem::static_limit});
+}
 
 int study_command(const StudyCommand& command, const Engine& engine) {
   set_threads(checked_threads(command.threads));
@@ -204,7 +219,8 @@ int study_command(const StudyCommand& command, const Engine& engine) {
   std::vector<Row> rows;
   const double cpu = cpu_seconds(), wall = wall_seconds();
   const int failures = run_one(study, command, engine, rows);
-  print(fmt::format("price: {:.3g} s CPU, {:.3g} s wall, peak memory {:.3g} MB", cpu_seconds() - cpu, wall_seconds() - wall, double(peak_memory()) / 1e6));
+  print(fmt::format("price: {:.3g} s CPU, {:.3g} s wall, peak memory {:.3g} MB", cpu_seconds() - cpu,
+                    wall_seconds() - wall, double(peak_memory()) / 1e6));
   return failures == 0 ? 0 : 3;
 }
 
@@ -213,7 +229,8 @@ int list_command(const std::string& program) {
   print(fmt::format("studies in {}:", folder));
   for (const std::string& name : studies_in(folder)) {
     try {
-      print(fmt::format("  {:<12} {}", name, read_study((fs::path(folder) / name / "study.toml").string()).title));
+      print(fmt::format(
+          "  {:<12} {}", name, read_study((fs::path(folder) / name / "study.toml").string()).title));
     } catch (const InputError&) {
       print(fmt::format("  {:<12} (its study.toml has faults: femsph study {} tells)", name, name));
     }
@@ -221,7 +238,8 @@ int list_command(const std::string& program) {
   print("\nmethods:");
   for (const Method& method : methods()) print(fmt::format("  {:<22} {}", method.name, method.about));
   print("\ntheory values:");
-  for (const Theory& theory : theories()) print(fmt::format("  {:<31} {:<4} {}", theory.name, theory.unit, theory.formula));
+  for (const Theory& theory : theories())
+    print(fmt::format("  {:<31} {:<4} {}", theory.name, theory.unit, theory.formula));
   return 0;
 }
 

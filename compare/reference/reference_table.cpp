@@ -17,11 +17,15 @@ namespace {
 double factor_of(const std::string& head, const std::string& si, const std::string& file) {
   const auto open = head.rfind('['), close = head.rfind(']');
   if (open == std::string::npos || close == std::string::npos || close < open)
-    throw std::runtime_error(fmt::format("{}:1: a column is called {}; expected its unit too, such as \"tip [{}]\"", file, in_quotes(head), si));
+    throw std::runtime_error(fmt::format(
+        "{}:1: a column is called {}; expected its unit too, such as \"tip [{}]\"", file, in_quotes(head),
+        si));
   try {
     return unit_named(head.substr(open + 1, close - open - 1), si).factor;
   } catch (const std::invalid_argument&) {
-    throw std::runtime_error(fmt::format("{}:1: a column is called {}; expected a unit of the same kind as {}", file, in_quotes(head), in_quotes(si)));
+    throw std::runtime_error(fmt::format(
+        "{}:1: a column is called {}; expected a unit of the same kind as {}", file, in_quotes(head),
+        in_quotes(si)));
   }
 }
 
@@ -33,17 +37,22 @@ ReferenceTable read_reference_table(const std::string& file, const std::string& 
   std::string line;
   std::getline(in, line);
   const auto comma = line.find(',');
-  if (comma == std::string::npos) throw std::runtime_error(fmt::format("{}:1: expected two columns, \"time [s],NAME [{}]\"", file, si));
-  const double time = factor_of(line.substr(0, comma), "s", file), unit = factor_of(line.substr(comma + 1), si, file);
+  if (comma == std::string::npos)
+    throw std::runtime_error(fmt::format("{}:1: expected two columns, \"time [s],NAME [{}]\"", file, si));
+  const double time = factor_of(line.substr(0, comma), "s", file),
+               unit = factor_of(line.substr(comma + 1), si, file);
   ReferenceTable table;
   for (int number = 2; std::getline(in, line); ++number) {
     const char* text = line.c_str();
     char *middle = nullptr, *end = nullptr;
     const double at = std::strtod(text, &middle);
     const double value = *middle == ',' ? std::strtod(middle + 1, &end) : NAN;
-    if (middle == text || !end || end == middle + 1 || (*end && *end != '\r') || !std::isfinite(at) || !std::isfinite(value))
-      throw std::runtime_error(fmt::format("{}:{}: {} is no row of two numbers", file, number, in_quotes(line)));
-    if (!table.at.empty() && !(at * time > table.at.back())) throw std::runtime_error(fmt::format("{}:{}: the times do not rise", file, number));
+    if (middle == text || !end || end == middle + 1 || (*end && *end != '\r') || !std::isfinite(at) ||
+        !std::isfinite(value))
+      throw std::runtime_error(
+          fmt::format("{}:{}: {} is no row of two numbers", file, number, in_quotes(line)));
+    if (!table.at.empty() && !(at * time > table.at.back()))
+      throw std::runtime_error(fmt::format("{}:{}: the times do not rise", file, number));
     table.at.push_back(at * time), table.value.push_back(value * unit);
   }
   if (table.at.size() < 2) throw std::runtime_error(fmt::format("{}: expected two rows or more", file));

@@ -1,5 +1,6 @@
 #pragma once
-// A history that another program or another solution has given, as a table beside the study: "time [s],NAME [unit]" above, numbers below.
+// A history that another program or another solution has given, as a table beside the study: "time [s],NAME
+// [unit]" above, numbers below.
 
 #include <string>
 #include <vector>

@@ -24,7 +24,8 @@ std::string gnuplot_text(const std::string& text) {
   return quoted + "'";
 }
 
-// Runs gnuplot without a shell, its words going to a file. Returns its exit status; 127 if there is no gnuplot.
+// Runs gnuplot without a shell, its words going to a file. Returns its exit status; 127 if there is no
+// gnuplot.
 int run_gnuplot(const std::string& settings, const std::string& script, const std::string& log) {
   std::vector<std::string> words = {"gnuplot", "-e", settings, script};
   std::vector<char*> arguments;
@@ -38,7 +39,8 @@ int run_gnuplot(const std::string& settings, const std::string& script, const st
   const int failed = posix_spawnp(&child, "gnuplot", &actions, nullptr, arguments.data(), environ);
   posix_spawn_file_actions_destroy(&actions);
   if (failed == ENOENT) return 127;
-  if (failed) throw std::runtime_error(fmt::format("figures: gnuplot cannot be started: {}", std::strerror(failed)));
+  if (failed)
+    throw std::runtime_error(fmt::format("figures: gnuplot cannot be started: {}", std::strerror(failed)));
   int status = 0;
   while (waitpid(child, &status, 0) < 0 && errno == EINTR) {
   }
@@ -56,17 +58,21 @@ std::string last_line(const std::string& file) {
 
 }  // namespace
 
-void make_figures(const std::string& script, const std::string& style, const std::string& data, const std::string& out) {
+void make_figures(const std::string& script, const std::string& style, const std::string& data,
+                  const std::string& out) {
   namespace fs = std::filesystem;
   const std::string log = (fs::path(out) / "gnuplot.log").string();
   for (const std::string format : {"svg", "png"}) {
-    const std::string settings =
-        fmt::format("format = '{}'; style = {}; data = {}; out = {}", format, gnuplot_text(fs::absolute(style).string()),
-                    gnuplot_text(fs::absolute(data).string()), gnuplot_text(fs::absolute(out).string()));
+    const std::string settings = fmt::format(
+        "format = '{}'; style = {}; data = {}; out = {}", format, gnuplot_text(fs::absolute(style).string()),
+        gnuplot_text(fs::absolute(data).string()), gnuplot_text(fs::absolute(out).string()));
     const int status = run_gnuplot(settings, script, log);
     if (status == 127)
-      throw std::runtime_error("figures: no gnuplot found; the tables and data are written, install gnuplot for the figures");
-    if (status != 0) throw std::runtime_error(fmt::format("figures: {} failed: {} (all of it in {})", script, last_line(log), log));
+      throw std::runtime_error(
+          "figures: no gnuplot found; the tables and data are written, install gnuplot for the figures");
+    if (status != 0)
+      throw std::runtime_error(
+          fmt::format("figures: {} failed: {} (all of it in {})", script, last_line(log), log));
   }
   std::error_code ignored;
   fs::remove(log, ignored);

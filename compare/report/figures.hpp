@@ -9,6 +9,7 @@ namespace femsph::compare {
 ///   format  "svg" or "png"      style  the common style to load
 ///   out     where figures go    data   where the series are
 /// Throws std::runtime_error with one clear message when gnuplot is missing or the script fails.
-void make_figures(const std::string& script, const std::string& style, const std::string& data, const std::string& out);
+void make_figures(const std::string& script, const std::string& style, const std::string& data,
+                  const std::string& out);
 
 }  // namespace femsph::compare

@@ -13,7 +13,9 @@ namespace {
 
 using Cells = std::vector<std::vector<std::string>>;
 
-std::string number(const std::optional<double>& value, int digits = 4) { return value ? rounded(*value, digits) : ""; }
+std::string number(const std::optional<double>& value, int digits = 4) {
+  return value ? rounded(*value, digits) : "";
+}
 
 // Counts and spacings: no more digits than they have.
 std::string plain(const std::optional<double>& value) { return value ? fmt::format("{:.9g}", *value) : ""; }
@@ -43,27 +45,32 @@ std::string quantity_table(const std::vector<const Row*>& rows, bool several_stu
   std::string caption = fmt::format("**{}** ({})", rows.front()->quantity, rows.front()->unit);
   if (theory) caption += fmt::format(", theory {}", rounded(*theory));
   if (limit) caption += fmt::format(", elasticity limit {}", rounded(*limit));
-  Cells cells = {{several_studies ? "study" : "", "case", "method", "d mm", "cells over height", "value", theory ? "" : "theory", "error %",
-                  limit ? "" : "limit", "error vs limit %", "paper", "paper error %", "steps", "CPU s", "settled"}};
+  Cells cells = {{several_studies ? "study" : "", "case", "method", "d mm", "cells over height", "value",
+                  theory ? "" : "theory", "error %", limit ? "" : "limit", "error vs limit %", "paper",
+                  "paper error %", "steps", "CPU s", "settled"}};
   for (const Row* row : rows)
-    cells.push_back({several_studies ? in_cell(row->study) : "", in_cell(row->case_name), in_cell(row->method), plain(row->spacing_mm),
-                     plain(row->cells_over_height), number(row->value), theory ? "" : number(row->theory), percent(row->error_percent),
-                     limit ? "" : number(row->limit), percent(row->error_vs_limit_percent), number(row->paper),
-                     percent(row->paper_error_percent), plain(row->steps), number(row->cpu_s, 2),
-                     !row->settled   ? ""
-                     : *row->settled ? "yes"
-                                     : "**NO**"});
+    cells.push_back(
+        {several_studies ? in_cell(row->study) : "", in_cell(row->case_name), in_cell(row->method),
+         plain(row->spacing_mm), plain(row->cells_over_height), number(row->value),
+         theory ? "" : number(row->theory), percent(row->error_percent), limit ? "" : number(row->limit),
+         percent(row->error_vs_limit_percent), number(row->paper), percent(row->paper_error_percent),
+         plain(row->steps), number(row->cpu_s, 2),
+         !row->settled   ? ""
+         : *row->settled ? "yes"
+                         : "**NO**"});
   return caption + "\n\n" + markdown_table(cells);
 }
 
 std::string order_table(const std::vector<Order>& orders) {
-  Cells cells = {{"study", "method", "quantity", "reference", "d mm", "observed order", "between neighbours", "extrapolated"}};
+  Cells cells = {{"study", "method", "quantity", "reference", "d mm", "observed order", "between neighbours",
+                  "extrapolated"}};
   for (const Order& order : orders) {
     std::string spacings, pairwise;
     for (const double d : order.spacings_mm) spacings += (spacings.empty() ? "" : ", ") + plain(d);
-    for (const double p : order.pairwise) pairwise += (pairwise.empty() ? "" : ", ") + (std::isnan(p) ? "-" : fmt::format("{:.2f}", p));
-    cells.push_back({in_cell(order.study), in_cell(order.method), in_cell(order.quantity), order.reference, spacings,
-                     order.observed ? fmt::format("{:.2f}", *order.observed) : "", pairwise,
+    for (const double p : order.pairwise)
+      pairwise += (pairwise.empty() ? "" : ", ") + (std::isnan(p) ? "-" : fmt::format("{:.2f}", p));
+    cells.push_back({in_cell(order.study), in_cell(order.method), in_cell(order.quantity), order.reference,
+                     spacings, order.observed ? fmt::format("{:.2f}", *order.observed) : "", pairwise,
                      order.extrapolated ? rounded(*order.extrapolated) + " " + order.unit : ""});
   }
   return "**Observed orders** (least squares of log error over log spacing)\n\n" + markdown_table(cells);
@@ -91,7 +98,8 @@ std::string markdown_table(const Cells& cells) {
   std::string text;
   for (std::size_t r = 0; r < cells.size(); ++r) {
     text += "|";
-    for (std::size_t k = 0; k < shown.size(); ++k) text += fmt::format(" {:<{}} |", cells[r][shown[k]], width[k]);
+    for (std::size_t k = 0; k < shown.size(); ++k)
+      text += fmt::format(" {:<{}} |", cells[r][shown[k]], width[k]);
     text += "\n";
     if (r > 0) continue;
     text += "|";
@@ -106,9 +114,13 @@ std::string markdown(const std::vector<Row>& rows, const std::vector<Order>& ord
   std::set<std::string> studies, failures, doubts;
   for (const Row& row : rows) {
     studies.insert(row.study);
-    if (std::find(quantities.begin(), quantities.end(), row.quantity) == quantities.end()) quantities.push_back(row.quantity);
-    if (!row.limit_doubt.empty() && row.failure.empty()) doubts.insert(fmt::format("- {} {}{}: {}\n", row.study, row.quantity, row.scene.empty() ? "" : " in " + row.scene, in_cell(row.limit_doubt)));
-    if (!row.failure.empty()) failures.insert(fmt::format("- {} {} {}: {}\n", row.study, row.case_name, row.method, row.failure));
+    if (std::find(quantities.begin(), quantities.end(), row.quantity) == quantities.end())
+      quantities.push_back(row.quantity);
+    if (!row.limit_doubt.empty() && row.failure.empty())
+      doubts.insert(fmt::format("- {} {}{}: {}\n", row.study, row.quantity,
+                                row.scene.empty() ? "" : " in " + row.scene, in_cell(row.limit_doubt)));
+    if (!row.failure.empty())
+      failures.insert(fmt::format("- {} {} {}: {}\n", row.study, row.case_name, row.method, row.failure));
   }
   std::string text;
   for (const std::string& quantity : quantities) {

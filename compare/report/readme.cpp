@@ -7,9 +7,11 @@ namespace femsph::compare {
 std::string with_table(const std::string& readme, const std::string& table) {
   const std::string opens = "<!-- femsph:table -->", closes = "<!-- /femsph:table -->";
   const auto open = readme.find(opens), close = readme.find(closes);
-  const bool once = open != std::string::npos && close != std::string::npos && readme.find(opens, open + 1) == std::string::npos &&
+  const bool once = open != std::string::npos && close != std::string::npos &&
+                    readme.find(opens, open + 1) == std::string::npos &&
                     readme.find(closes, close + 1) == std::string::npos;
-  if (!once || close < open) throw std::runtime_error("expected one line " + opens + " and, after it, one line " + closes);
+  if (!once || close < open)
+    throw std::runtime_error("expected one line " + opens + " and, after it, one line " + closes);
   const std::string gap = table.ends_with("\n") ? "\n" : "\n\n";
   return readme.substr(0, open + opens.size()) + "\n\n" + table + gap + readme.substr(close);
 }

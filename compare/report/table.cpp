@@ -59,9 +59,10 @@ const std::vector<RowColumn>& row_columns() {
       number("repeats", &Row::repeats),
       number("energy_imbalance_percent", &Row::energy_imbalance_percent),
       number("momentum_error", &Row::momentum_error),
-      {"settled", [](const Row& row) { return std::string(!row.settled   ? ""
-                                                          : *row.settled ? "yes"
-                                                                         : "no"); }},
+      {"settled",
+       [](const Row& row) {
+         return std::string(!row.settled ? "" : *row.settled ? "yes" : "no");
+       }},
       words("failure", &Row::failure),
   };
   return columns;
@@ -69,13 +70,16 @@ const std::vector<RowColumn>& row_columns() {
 
 std::string list(const std::vector<double>& values) {
   std::string all;
-  for (const double value : values) all += (all.empty() ? "" : " ") + (std::isnan(value) ? "-" : fmt::format("{:.4g}", value));
+  for (const double value : values)
+    all += (all.empty() ? "" : " ") + (std::isnan(value) ? "-" : fmt::format("{:.4g}", value));
   return all;
 }
 
 Order order_of(const std::vector<const Row*>& rungs, Reference reference) {
   const Row& first = *rungs.front();
-  Order order{first.study, first.method, first.quantity, reference == Reference::theory ? "theory" : "limit", {}, {}, {}, {}, first.unit};
+  Order order{
+      first.study, first.method, first.quantity, reference == Reference::theory ? "theory" : "limit", {}, {},
+      {},          {},           first.unit};
   Ladder errors, values;
   for (const Row* row : rungs) {
     errors.push_back({*row->spacing_mm, *error_of(*row, reference)});
@@ -84,15 +88,20 @@ Order order_of(const std::vector<const Row*>& rungs, Reference reference) {
   }
   order.pairwise = pairwise_orders(errors);
   order.observed = fitted_order(errors);
-  const bool a_distance = !first.theory && !first.limit;  // l2: its value is an error, whose limit is no result
-  if (const auto extrapolation = richardson(values); extrapolation && !a_distance && is_convergence(extrapolation->order)) order.extrapolated = extrapolation->limit;
+  const bool a_distance = !first.theory &&
+                          !first.limit;  // l2: its value is an error, whose limit is no result
+  if (const auto extrapolation = richardson(values);
+      extrapolation && !a_distance && is_convergence(extrapolation->order))
+    order.extrapolated = extrapolation->limit;
   return order;
 }
 
 }  // namespace
 
 std::optional<double> error_of(const Row& row, Reference reference) {
-  const auto error = reference == Reference::value ? row.value : reference == Reference::theory ? row.error_percent : row.error_vs_limit_percent;
+  const auto error = reference == Reference::value    ? row.value
+                     : reference == Reference::theory ? row.error_percent
+                                                      : row.error_vs_limit_percent;
   return error && std::isfinite(*error) ? error : std::nullopt;
 }
 
@@ -109,10 +118,14 @@ std::vector<Order> orders_of(const std::vector<Row>& rows) {
   for (const Key& key : keys)
     for (const Reference reference : {Reference::theory, Reference::limit}) {
       std::vector<const Row*> rungs = ladders[key];
-      std::erase_if(rungs, [&](const Row* row) { return !row->value || !row->spacing_mm || !error_of(*row, reference) || row->settled == false; });
-      std::stable_sort(rungs.begin(), rungs.end(), [](const Row* a, const Row* b) { return *a->spacing_mm > *b->spacing_mm; });
-      const bool rises = std::adjacent_find(rungs.begin(), rungs.end(),
-                                            [](const Row* a, const Row* b) { return *a->spacing_mm == *b->spacing_mm; }) == rungs.end();
+      std::erase_if(rungs, [&](const Row* row) {
+        return !row->value || !row->spacing_mm || !error_of(*row, reference) || row->settled == false;
+      });
+      std::stable_sort(rungs.begin(), rungs.end(),
+                       [](const Row* a, const Row* b) { return *a->spacing_mm > *b->spacing_mm; });
+      const bool rises = std::adjacent_find(rungs.begin(), rungs.end(), [](const Row* a, const Row* b) {
+                           return *a->spacing_mm == *b->spacing_mm;
+                         }) == rungs.end();
       if (rungs.size() >= 2 && rises) orders.push_back(order_of(rungs, reference));
     }
   return orders;
@@ -143,11 +156,13 @@ std::string csv(const std::vector<Row>& rows) {
 }
 
 std::string csv(const std::vector<Order>& orders) {
-  std::string text = "study,method,quantity,reference,spacings_mm,observed_order,pairwise_orders,extrapolated,unit\r\n";
+  std::string text =
+      "study,method,quantity,reference,spacings_mm,observed_order,pairwise_orders,extrapolated,unit\r\n";
   for (const Order& order : orders)
-    text += fmt::format("{},{},{},{},{},{},{},{},{}\r\n", csv_cell(order.study), csv_cell(order.method), csv_cell(order.quantity),
-                        order.reference, list(order.spacings_mm), cell(order.observed), list(order.pairwise), cell(order.extrapolated),
-                        csv_cell(order.unit));
+    text += fmt::format(
+        "{},{},{},{},{},{},{},{},{}\r\n", csv_cell(order.study), csv_cell(order.method),
+        csv_cell(order.quantity), order.reference, list(order.spacings_mm), cell(order.observed),
+        list(order.pairwise), cell(order.extrapolated), csv_cell(order.unit));
   return text;
 }
 

@@ -7,8 +7,8 @@
 
 namespace femsph::compare {
 
-/// Empty optionals are unknown: empty cells. Value, theory, limit and paper are in `unit`; errors are in percent of the reference,
-/// positive when the value is larger in magnitude.
+/// Empty optionals are unknown: empty cells. Value, theory, limit and paper are in `unit`; errors are in
+/// percent of the reference, positive when the value is larger in magnitude.
 struct Row {
   std::string study, case_name, method;
   std::optional<double> spacing_mm, cells_over_height;
@@ -16,17 +16,21 @@ struct Row {
   std::optional<double> value;
   std::string unit;
   std::optional<double> theory, error_percent, limit, error_vs_limit_percent, paper, paper_error_percent;
-  std::optional<double> steps, dt_s, cpu_s, wall_s, threads, points, ns_per_unit_step, energy_imbalance_percent, momentum_error;
-  /// Unknowns, held memory; CPU of the whole run with its set-up: median, least and most of `repeats` runs (cpu_s: the march alone, median).
+  std::optional<double> steps, dt_s, cpu_s, wall_s, threads, points, ns_per_unit_step,
+      energy_imbalance_percent, momentum_error;
+  /// Unknowns, held memory; CPU of the whole run with its set-up: median, least and most of `repeats` runs
+  /// (cpu_s: the march alone, median).
   std::optional<double> dof, memory_mb, total_cpu_s, total_cpu_min_s, total_cpu_max_s, repeats;
   std::optional<bool> settled;
   std::string failure;  ///< why there is no value
-  std::optional<double> energy_drift, momentum_drift, angular_momentum_drift, hourglass_share;  ///< shares of 1; of studies with bounds
-  int ladder = 0;       ///< rows of one ladder of spacings share it; not written
-  std::string scene;    ///< not written
+  std::optional<double> energy_drift, momentum_drift, angular_momentum_drift,
+      hourglass_share;                        ///< shares of 1; of studies with bounds
+  int ladder = 0;                             ///< rows of one ladder of spacings share it; not written
+  std::string scene;                          ///< not written
   std::optional<double> units;                ///< particles or elements; not written
   std::optional<double> limit_known_percent;  ///< how well an extrapolated limit is known; not written
-  std::string limit_doubt;                    ///< why there is no limit to compare with, although the study asks for one; in table.md
+  std::string
+      limit_doubt;  ///< why there is no limit to compare with, although the study asks for one; in table.md
 };
 
 /// What one ladder (study, method, quantity) shows against one reference.
@@ -44,8 +48,9 @@ enum class Reference { theory, limit, value };
 /// The error of a row against a reference, percent; nothing where it is not a finite number.
 std::optional<double> error_of(const Row& row, Reference reference);
 
-/// The ladders among the rows, in their order; rows that did not settle and ladders with fewer than two spacings are left out. A limit is
-/// extrapolated where the finest three show an order of convergence (ladder.hpp).
+/// The ladders among the rows, in their order; rows that did not settle and ladders with fewer than two
+/// spacings are left out. A limit is extrapolated where the finest three show an order of convergence
+/// (ladder.hpp).
 std::vector<Order> orders_of(const std::vector<Row>& rows);
 
 /// RFC 4180, with a header line. A number has ten significant digits; an unknown cell is empty.

@@ -13,10 +13,12 @@ namespace femsph::compare {
 namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
-constexpr double most_units = 2e8;  // offsets of the FEM kernels are 32-bit: three components of at most 5e8 slots
+constexpr double most_units =
+    2e8;  // offsets of the FEM kernels are 32-bit: three components of at most 5e8 slots
 
-/// Peak bytes of a unit: the growth of the program's peak memory (set-up and one field snapshot), measured with elastic bodies of about 1.4e5
-/// units on a regular lattice or mesh; what plasticity and particles out of line add is counted from the arrays, not measured.
+/// Peak bytes of a unit: the growth of the program's peak memory (set-up and one field snapshot), measured
+/// with elastic bodies of about 1.4e5 units on a regular lattice or mesh; what plasticity and particles out
+/// of line add is counted from the arrays, not measured.
 double bytes_of_unit(const Scene& scene, const Body& body, const Method& method) {
   const int dim = scene.dim(), symmetric = dim * (dim + 1) / 2;
   const bool plastic = scene.material_of(body).plasticity.has_value();
@@ -26,13 +28,20 @@ double bytes_of_unit(const Scene& scene, const Body& body, const Method& method)
     return (dim == 2 ? 1300 : 2000) + remembered * (one ? 1 : 1 << dim);
   }
   const auto& options = std::get<sph::Options>(method.options);
-  if (options.formulation == sph::Formulation::classic && scene.large_motion) return (dim == 2 ? 1500 : 2000) + remembered;
-  const bool corrected = options.formulation == sph::Formulation::corrected, scattered = options.jitter > 0 || sph::is_fitted(*body.shape, options);
+  if (options.formulation == sph::Formulation::classic && scene.large_motion)
+    return (dim == 2 ? 1500 : 2000) + remembered;
+  const bool corrected = options.formulation == sph::Formulation::corrected,
+             scattered = options.jitter > 0 || sph::is_fitted(*body.shape, options);
   const double rows = scattered ? (dim == 2 ? 600 : 2200) * std::pow(options.smoothing / 1.2, dim) : 0.0;
   const double projected = corrected && options.projection ? 2 : 1;  // the adjoint has rows of its own
-  const bool mean = corrected && std::visit([&](const auto& law) { return sph::wants_mean_dilatation(options, law.elastic(), sph::flows_at_constant_volume(law)); },
-                                            scene.material_of(body).law(scene.plane));
-  const double averaged = mean ? (dim == 2 ? 60 : 110) + (scattered ? dim == 2 ? 160 : 520 : 0) : 0;  // gradients, two values, their rows
+  const bool mean = corrected && std::visit(
+                                     [&](const auto& law) {
+                                       return sph::wants_mean_dilatation(
+                                           options, law.elastic(), sph::flows_at_constant_volume(law));
+                                     },
+                                     scene.material_of(body).law(scene.plane));
+  const double averaged = mean ? (dim == 2 ? 60 : 110) + (scattered ? dim == 2 ? 160 : 520 : 0)
+                               : 0;  // gradients, two values, their rows
   return (dim == 2 ? 1000 : 1200) + projected * rows + averaged + remembered;
 }
 
@@ -44,8 +53,10 @@ double units_of(const Shape& shape, const Method& method, const Resolution& reso
     const double length = shape.upper()[a] - shape.lower()[a];
     box *= length;
     double spacing = resolution.spacing;
-    if (!(spacing > 0)) spacing = (shape.upper()[1] - shape.lower()[1]) / std::max(1, resolution.divisions[1]);
-    const double cells = resolution.divisions[a] > 0 && method.is_fem() ? double(resolution.divisions[a]) : length / spacing;
+    if (!(spacing > 0))
+      spacing = (shape.upper()[1] - shape.lower()[1]) / std::max(1, resolution.divisions[1]);
+    const double cells = resolution.divisions[a] > 0 && method.is_fem() ? double(resolution.divisions[a])
+                                                                        : length / spacing;
     count *= method.is_fem() ? std::max(1.0, cells) : cells + 1;
   }
   return count * shape.measure() / box;
@@ -83,23 +94,31 @@ double available_memory() {
   for (std::string key, rest; machine >> key; std::getline(machine, rest))
     if (double kilobytes = 0; key == "MemAvailable:" && machine >> kilobytes) available = 1024 * kilobytes;
   const std::string two = "/sys/fs/cgroup/", one = "/sys/fs/cgroup/memory/";
-  const auto left = [](double limit, double used) { return std::isfinite(limit) && std::isfinite(used) ? std::max(0.0, limit - used) : infinity; };
+  const auto left = [](double limit, double used) {
+    return std::isfinite(limit) && std::isfinite(used) ? std::max(0.0, limit - used) : infinity;
+  };
   available = std::min(available, left(number_in(two + "memory.max"), number_in(two + "memory.current")));
-  return std::min(available, left(number_in(one + "memory.limit_in_bytes"), number_in(one + "memory.usage_in_bytes")));
+  return std::min(
+      available, left(number_in(one + "memory.limit_in_bytes"), number_in(one + "memory.usage_in_bytes")));
 }
 
 void refuse_excess(const Scene& scene, const Method& method, const Resolution& resolution, double available) {
-  if (!(resolution.spacing > 0) && resolution.divisions[0] <= 0) return;  // said where it matters, or the mesh is there already
+  if (!(resolution.spacing > 0) && resolution.divisions[0] <= 0)
+    return;  // said where it matters, or the mesh is there already
   const Size size = estimated_size(scene, method, resolution);
   const double over = std::max(size.bytes / available, size.units / most_units);
   if (!(over > 1)) return;
-  const std::string what = fmt::format("this {} means about {:.2g} {} and {} of memory; ", resolution.spacing > 0 ? "spacing" : "division", size.units,
-                                       method.is_fem() ? "elements" : "particles", bytes_text(size.bytes));
-  const std::string limit = size.bytes / available >= size.units / most_units ? bytes_text(available) + " are available" : fmt::format("the program counts to {:.1g}", most_units);
+  const std::string what = fmt::format(
+      "this {} means about {:.2g} {} and {} of memory; ", resolution.spacing > 0 ? "spacing" : "division",
+      size.units, method.is_fem() ? "elements" : "particles", bytes_text(size.bytes));
+  const std::string limit = size.bytes / available >= size.units / most_units
+                                ? bytes_text(available) + " are available"
+                                : fmt::format("the program counts to {:.1g}", most_units);
   const double factor = 1.03 * std::pow(over, 1.0 / scene.dim());
   std::string advice = fmt::format("take {:.2g} times fewer divisions along each side", factor);
   if (resolution.spacing > 0) {
-    const double finest = resolution.spacing * factor, digit = std::pow(10, std::floor(std::log10(finest)) - 1);
+    const double finest = resolution.spacing * factor,
+                 digit = std::pow(10, std::floor(std::log10(finest)) - 1);
     advice = fmt::format("take a spacing of at least {:.2g} mm", 1e3 * digit * std::ceil(finest / digit));
   }
   throw std::runtime_error(what + limit + "; " + advice);

@@ -13,7 +13,7 @@ static_assert(std::atomic<bool>::is_always_lock_free);  // or a handler could no
 void set_flag(int) { flag.store(true, std::memory_order_relaxed); }
 
 void handle(void (*handler)(int)) {
-  struct sigaction action{};
+  struct sigaction action {};
   action.sa_handler = handler;
   action.sa_flags = SA_RESETHAND | SA_RESTART;
   sigemptyset(&action.sa_mask);

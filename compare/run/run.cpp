@@ -19,14 +19,19 @@ std::array<int, 3> divisions_of(const Shape& shape, const Resolution& resolution
   std::array<int, 3> cells{1, 1, 1};
   for (int a = 0; a < shape.dim(); ++a) {
     const double length = shape.upper()[a] - shape.lower()[a];
-    const double n = resolution.divisions[a] > 0 ? resolution.divisions[a] : std::round(length / resolution.spacing);
-    if (!(n >= 1)) throw Refusal(fmt::format("a spacing of {:g} mm does not fit a body {:g} mm long along {}", resolution.spacing * 1e3, length * 1e3, "xyz"[a]));
+    const double n = resolution.divisions[a] > 0 ? resolution.divisions[a]
+                                                 : std::round(length / resolution.spacing);
+    if (!(n >= 1))
+      throw Refusal(fmt::format("a spacing of {:g} mm does not fit a body {:g} mm long along {}",
+                                resolution.spacing * 1e3, length * 1e3, "xyz"[a]));
     cells[a] = int(std::min(n, 1e9));
   }
   return cells;
 }
 
-double height_spacing(const Shape& shape, const std::array<int, 3>& cells) { return (shape.upper()[1] - shape.lower()[1]) / cells[1]; }
+double height_spacing(const Shape& shape, const std::array<int, 3>& cells) {
+  return (shape.upper()[1] - shape.lower()[1]) / cells[1];
+}
 
 }  // namespace
 
@@ -35,13 +40,17 @@ double spacing_of(const Shape& shape, const Resolution& resolution) {
   const std::array<int, 3> cells = divisions_of(shape, resolution);
   const double spacing = height_spacing(shape, cells);
   for (int a = 0; a < shape.dim(); ++a)
-    if (const double other = (shape.upper()[a] - shape.lower()[a]) / cells[a]; std::abs(other - spacing) > 1e-6 * spacing)
-      throw Refusal(fmt::format("SPH has one spacing, and these divisions of the {} mean {:g} mm along {} and {:g} mm along y; give a spacing", shape.describe(),
-                                1e3 * other, "xyz"[a], 1e3 * spacing));
+    if (const double other = (shape.upper()[a] - shape.lower()[a]) / cells[a];
+        std::abs(other - spacing) > 1e-6 * spacing)
+      throw Refusal(fmt::format(
+          "SPH has one spacing, and these divisions of the {} mean {:g} mm along {} and {:g} mm "
+          "along y; give a spacing",
+          shape.describe(), 1e3 * other, "xyz"[a], 1e3 * spacing));
   return spacing;
 }
 
-std::unique_ptr<Discretization> discretize(const Scene& scene, std::size_t body, const Method& method, const Resolution& resolution) {
+std::unique_ptr<Discretization> discretize(const Scene& scene, std::size_t body, const Method& method,
+                                           const Resolution& resolution) {
   const Shape& shape = *scene.bodies[body].shape;
   const bool own_cells = method.is_fem() && shape.cells();
   if (!own_cells && !(resolution.spacing > 0) && resolution.divisions[0] <= 0)
@@ -60,34 +69,52 @@ std::vector<std::pair<std::string, std::string>> derived_values(const March& mar
   std::vector<std::pair<std::string, std::string>> out;
   for (const MovingBody& body : march.bodies()) {
     out.emplace_back("body " + body.name, body.discretization->describe());
-    out.emplace_back(body.name + " " + body.discretization->unit_name() + "s", fmt::format("{}", body.discretization->units()));
+    out.emplace_back(body.name + " " + body.discretization->unit_name() + "s",
+                     fmt::format("{}", body.discretization->units()));
     out.emplace_back(body.name + " weighs", to_text(mass_of(*body.discretization), march.scene().dim()));
-    out.emplace_back(body.name + " should weigh", to_text(mass_of(march.scene(), body.index), march.scene().dim()));
+    out.emplace_back(
+        body.name + " should weigh", to_text(mass_of(march.scene(), body.index), march.scene().dim()));
     out.emplace_back(body.name + " wave speed", fmt::format("{:.6g} m/s", body.discretization->wave_speed()));
   }
   for (const RigidBody& body : march.rigid_bodies())
-    out.emplace_back("body " + body.name, fmt::format("rigid {}, {}", body.shape->describe(), to_text({body.mass, body.shape->centroid()}, march.scene().dim())));
+    out.emplace_back(
+        "body " + body.name, fmt::format("rigid {}, {}", body.shape->describe(),
+                                         to_text({body.mass, body.shape->centroid()}, march.scene().dim())));
   for (const ContactPair& pair : march.contacts()) {
-    out.emplace_back("contact " + pair.contact().name, fmt::format("penalty {:.4g} Pa/m, friction {:g}", pair.stiffness(), pair.contact().friction));
+    out.emplace_back(
+        "contact " + pair.contact().name,
+        fmt::format("penalty {:.4g} Pa/m, friction {:g}", pair.stiffness(), pair.contact().friction));
     if (march.step() > 0)
-      out.emplace_back(pair.contact().name + " depth", fmt::format("{:.4g} m at most, {:.3g} of the spacing", pair.deepest(), pair.deepest_share()));
+      out.emplace_back(
+          pair.contact().name + " depth",
+          fmt::format("{:.4g} m at most, {:.3g} of the spacing", pair.deepest(), pair.deepest_share()));
   }
   for (const Ties::Bond& bond : march.ties().bonds())
-    out.emplace_back("contact " + bond.contact->name, fmt::format("{} points of {} tied to facets of {}", bond.end - bond.begin, march.bodies()[bond.from].name, march.bodies()[bond.onto].name));
+    out.emplace_back("contact " + bond.contact->name,
+                     fmt::format("{} points of {} tied to facets of {}", bond.end - bond.begin,
+                                 march.bodies()[bond.from].name, march.bodies()[bond.onto].name));
   if (!march.contacts().empty())
-    out.emplace_back("contact shortens the step", fmt::format("by {:.1f} %", 100 * (1 - march.critical_step() / march.critical_step_without_contact())));
+    out.emplace_back("contact shortens the step",
+                     fmt::format("by {:.1f} %",
+                                 100 * (1 - march.critical_step() / march.critical_step_without_contact())));
   out.emplace_back("critical step", fmt::format("{:.6g} s", march.critical_step()));
-  out.emplace_back("step", march.step_changes() > 0 ? fmt::format("{:.6g} s at first, {:.6g} s at least, {:.6g} s at last: changed {} times", march.price().dt,
-                                                                   march.smallest_step(), march.dt(), march.step_changes())
-                                                     : fmt::format("{:.6g} s{}", march.dt(), march.follows_deformation() ? ", less if the deformation asks for it" : ""));
-  out.emplace_back("planned steps", fmt::format("{}{}", march.planned_steps(), march.scene().settling ? " at most, fewer once settled" : ""));
+  out.emplace_back(
+      "step", march.step_changes() > 0
+                  ? fmt::format("{:.6g} s at first, {:.6g} s at least, {:.6g} s at last: changed {} times",
+                                march.price().dt, march.smallest_step(), march.dt(), march.step_changes())
+                  : fmt::format("{:.6g} s{}", march.dt(),
+                                march.follows_deformation() ? ", less if the deformation asks for it" : ""));
+  out.emplace_back(
+      "planned steps", fmt::format("{}{}", march.planned_steps(),
+                                   march.scene().settling ? " at most, fewer once settled" : ""));
   out.emplace_back("memory", fmt::format("{:.3g} MB", double(march.price().bytes) / 1e6));
   const std::vector<Support> holds = march.scene().holds();
   for (std::size_t h = 0; h < holds.size(); ++h)
     if (!holds[h].name.empty()) {
       const Point x = reaction_of(march, h).centroid(march);
-      out.emplace_back("support " + holds[h].name, fmt::format("moments about the centroid of its place, ({:.6g}, {:.6g}, {:.6g}) m{}", x[0], x[1], x[2],
-                                                               march.scene().large_motion ? " now" : ""));
+      out.emplace_back("support " + holds[h].name,
+                       fmt::format("moments about the centroid of its place, ({:.6g}, {:.6g}, {:.6g}) m{}",
+                                   x[0], x[1], x[2], march.scene().large_motion ? " now" : ""));
     }
   std::string effects;
   for (const std::string& e : march.scene().effects()) effects += (effects.empty() ? "" : ", ") + e;
@@ -99,18 +126,23 @@ std::vector<std::string> warnings_of(const March& march, const Recorder& recorde
   std::vector<std::string> all = march.warnings();
   constexpr double round_off = 1e-9;
   if (recorder.balance().force > round_off)
-    all.push_back(fmt::format("forces do not add up: mass times acceleration, loads and reactions together leave {:.2g} of their magnitudes at the worst sample; "
-                              "reactions are wrong by as much",
-                              recorder.balance().force));
+    all.push_back(fmt::format(
+        "forces do not add up: mass times acceleration, loads and reactions together leave "
+        "{:.2g} of their magnitudes at the worst sample; "
+        "reactions are wrong by as much",
+        recorder.balance().force));
   return all;
 }
 
-std::string outcome_of(const March& march) { return march.settled() ? "settled" : march.scene().settling ? "not settled" : "finished"; }
+std::string outcome_of(const March& march) {
+  return march.settled() ? "settled" : march.scene().settling ? "not settled" : "finished";
+}
 
 namespace {
 
 /// What a march has, at its end or where it stopped.
-RunResult result_of(const March& march, const Recorder& recorder, const std::optional<Conservation>& conservation) {
+RunResult result_of(const March& march, const Recorder& recorder,
+                    const std::optional<Conservation>& conservation) {
   RunResult r;
   r.history = recorder.history();
   r.ledger = march.ledger();
@@ -138,12 +170,14 @@ RunResult result_of(const March& march, const Recorder& recorder, const std::opt
 }
 
 bool asks_for_drift(const std::set<std::string>& scalars) {
-  return std::any_of(scalars.begin(), scalars.end(), [](const std::string& s) { return s.ends_with("_drift") || s == "hourglass_share"; });
+  return std::any_of(scalars.begin(), scalars.end(),
+                     [](const std::string& s) { return s.ends_with("_drift") || s == "hourglass_share"; });
 }
 
 }  // namespace
 
-RunResult run_scene(const Scene& scene, const Method& method, const Resolution& resolution, const RunOptions& options) {
+RunResult run_scene(const Scene& scene, const Method& method, const Resolution& resolution,
+                    const RunOptions& options) {
   refuse_excess(scene, method, resolution);
   const double start = wall_seconds(), start_cpu = cpu_seconds();
   std::vector<std::unique_ptr<Discretization>> bodies;
@@ -197,13 +231,18 @@ RunResult run_scene(const Scene& scene, const Method& method, const Resolution& 
   r.profiles = recorder.profiles(march);
   r.momentum_error = march.force_imbalance();
   r.moment_error = march.moment_imbalance();
-  // Of several bodies the coarsest counts: that with the widest spacing, and of those the one with the fewest cells.
+  // Of several bodies the coarsest counts: that with the widest spacing, and of those the one with the fewest
+  // cells.
   for (const MovingBody& body : march.bodies()) {
     const Shape& shape = *scene.bodies[body.index].shape;
-    const double spacing = shape.cells() && method.is_fem() ? body.discretization->spacing() : height_spacing(shape, divisions_of(shape, resolution));
+    const double spacing = shape.cells() && method.is_fem()
+                               ? body.discretization->spacing()
+                               : height_spacing(shape, divisions_of(shape, resolution));
     const int cells = int(std::lround((shape.upper()[1] - shape.lower()[1]) / spacing));
-    if (spacing > r.spacing * (1 + 1e-9)) r.spacing = spacing, r.cells_over_height = cells;
-    else if (spacing >= r.spacing * (1 - 1e-9)) r.cells_over_height = std::min(r.cells_over_height, cells);
+    if (spacing > r.spacing * (1 + 1e-9))
+      r.spacing = spacing, r.cells_over_height = cells;
+    else if (spacing >= r.spacing * (1 - 1e-9))
+      r.cells_over_height = std::min(r.cells_over_height, cells);
     const auto* options_of_sph = std::get_if<sph::Options>(&method.options);
     if (!options_of_sph || !options.scalars.contains("surface_weight_loss")) continue;
     sph::Options o = *options_of_sph;

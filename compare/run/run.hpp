@@ -13,17 +13,17 @@
 #include "compare/run/plan/method.hpp"
 #include "compare/run/plan/run_result.hpp"
 #include "fem/fem.hpp"
-#include "model/results/recorder.hpp"
 #include "model/results/checkpoint.hpp"
 #include "model/results/history.hpp"
+#include "model/results/recorder.hpp"
 #include "sph/sph.hpp"
 
 namespace femsph::compare {
 
 /// When a run writes DIR/checkpoint.h5: always when it is interrupted, and every so often if asked.
 struct CheckpointOptions {
-  long every_steps = 0;      ///< 0: not by steps
-  double every_seconds = 0;  ///< of the wall clock; 0: not by time
+  long every_steps = 0;                    ///< 0: not by steps
+  double every_seconds = 0;                ///< of the wall clock; 0: not by time
   std::vector<std::string> arguments;      ///< of the command line, for resume
   std::shared_ptr<const Checkpoint> from;  ///< take this one up
 };
@@ -33,18 +33,21 @@ double spacing_of(const Shape& shape, const Resolution& resolution);
 
 struct RunOptions {
   MarchOptions march;
-  std::optional<std::string> folder;  ///< write histories, fields and the record there
-  bool fields = true;                 ///< with a folder: fields too
+  std::optional<std::string> folder;            ///< write histories, fields and the record there
+  bool fields = true;                           ///< with a folder: fields too
   std::optional<CheckpointOptions> checkpoint;  ///< with a folder
-  std::string label;                  ///< of the progress line
-  std::string command;                ///< for the record
-  std::set<std::string> scalars = {}; ///< which of RunResult::scalars to fill: each costs a look at the run that others do not pay
-  std::function<void(const std::string&)> warn = {};  ///< called with each warning: before the first step, or once it is known
-  RunResult* partial = nullptr; ///< where a run that stops with a MotionError leaves what it has until then
+  std::string label;                            ///< of the progress line
+  std::string command;                          ///< for the record
+  std::set<std::string> scalars =
+      {};  ///< which of RunResult::scalars to fill: each costs a look at the run that others do not pay
+  std::function<void(const std::string&)> warn =
+      {};                        ///< called with each warning: before the first step, or once it is known
+  RunResult* partial = nullptr;  ///< where a run that stops with a MotionError leaves what it has until then
 };
 
 /// Throws InputError, MotionError, Interrupted (compare/run/interruption.hpp) or std::runtime_error.
-RunResult run_scene(const Scene& scene, const Method& method, const Resolution& resolution, const RunOptions& options);
+RunResult run_scene(const Scene& scene, const Method& method, const Resolution& resolution,
+                    const RunOptions& options);
 
 /// What a run derives from its scene, for people: particles or elements, step, memory, effects.
 std::vector<std::pair<std::string, std::string>> derived_values(const March& march);
@@ -55,10 +58,12 @@ std::vector<std::string> warnings_of(const March& march, const Recorder& recorde
 /// "settled", "not settled" or "finished".
 std::string outcome_of(const March& march);
 
-/// What a run has cost, for people, in two lines: CPU and wall time, steps, time a step and unit ("particle"), memory; and its phases.
+/// What a run has cost, for people, in two lines: CPU and wall time, steps, time a step and unit
+/// ("particle"), memory; and its phases.
 std::string price_text(const Price& price, const std::string& unit);
 
 /// The discretization alone (for `check` and the bench).
-std::unique_ptr<Discretization> discretize(const Scene& scene, std::size_t body, const Method& method, const Resolution& resolution);
+std::unique_ptr<Discretization> discretize(const Scene& scene, std::size_t body, const Method& method,
+                                           const Resolution& resolution);
 
 }  // namespace femsph::compare

@@ -18,7 +18,8 @@ struct NamedCurve {
   std::vector<double> values;
 };
 
-std::string wide_csv(const std::string& x_name, const std::vector<std::string>& x, const std::vector<NamedCurve>& curves) {
+std::string wide_csv(const std::string& x_name, const std::vector<std::string>& x,
+                     const std::vector<NamedCurve>& curves) {
   std::string text = csv_cell(x_name);
   for (const NamedCurve& curve : curves) text += "," + csv_cell(curve.name);
   text += "\r\n";
@@ -36,34 +37,41 @@ std::vector<std::string> as_text(const std::vector<double>& x) {
   return text;
 }
 
-// Errors over the spacing, coarse to fine, or over the case, in the order of the series or of the runs: one column a method.
+// Errors over the spacing, coarse to fine, or over the case, in the order of the series or of the runs: one
+// column a method.
 std::string error_csv(const SeriesSpec& series, const StudyOutcome& outcome) {
   const bool over_cases = series.kind == SeriesSpec::Kind::cases;
   std::vector<const Row*> rows;
   for (const Row& row : outcome.rows)
-    if (row.quantity == series.quantity && row.spacing_mm && error_of(row, series.reference) && listed(series.cases, row.case_name) &&
-        listed(series.methods, row.method))
+    if (row.quantity == series.quantity && row.spacing_mm && error_of(row, series.reference) &&
+        listed(series.cases, row.case_name) && listed(series.methods, row.method))
       rows.push_back(&row);
   std::vector<const Row*> sorted = rows;
   const auto listed_at = [&](const Row& row) {
     return std::find(series.cases.begin(), series.cases.end(), row.case_name) - series.cases.begin();
   };
   if (over_cases)
-    std::stable_sort(sorted.begin(), sorted.end(), [&](const Row* a, const Row* b) { return listed_at(*a) < listed_at(*b); });
+    std::stable_sort(sorted.begin(), sorted.end(),
+                     [&](const Row* a, const Row* b) { return listed_at(*a) < listed_at(*b); });
   else
-    std::stable_sort(sorted.begin(), sorted.end(), [](const Row* a, const Row* b) { return *a->spacing_mm > *b->spacing_mm; });
+    std::stable_sort(sorted.begin(), sorted.end(),
+                     [](const Row* a, const Row* b) { return *a->spacing_mm > *b->spacing_mm; });
   const auto place = [&](const Row& row) { return over_cases ? row.case_name : csv_number(*row.spacing_mm); };
   std::vector<std::string> x;
   for (const Row* row : sorted)
     if (std::find(x.begin(), x.end(), place(*row)) == x.end()) x.push_back(place(*row));
   std::vector<NamedCurve> curves;
   for (const Row* row : rows) {
-    auto curve = std::find_if(curves.begin(), curves.end(), [&](const NamedCurve& c) { return c.name == row->method; });
-    if (curve == curves.end()) curve = curves.insert(curves.end(), {row->method, std::vector<double>(x.size(), std::nan(""))});
+    auto curve = std::find_if(
+        curves.begin(), curves.end(), [&](const NamedCurve& c) { return c.name == row->method; });
+    if (curve == curves.end())
+      curve = curves.insert(curves.end(), {row->method, std::vector<double>(x.size(), std::nan(""))});
     double& value = curve->values[std::find(x.begin(), x.end(), place(*row)) - x.begin()];
     const double error = *error_of(*row, series.reference);
     if (!std::isnan(value) && value != error)
-      throw std::runtime_error(fmt::format("{} has two values of {} at {}; expected \"cases\" that choose one", row->method, series.quantity, place(*row)));
+      throw std::runtime_error(fmt::format(
+          "{} has two values of {} at {}; expected \"cases\" that choose one", row->method, series.quantity,
+          place(*row)));
     value = error;
   }
   return wide_csv(over_cases ? "case" : "spacing_mm", x, curves);
@@ -86,20 +94,22 @@ std::string curve_name(const SeriesSpec& series, const PlannedRun& run) {
 
 std::vector<double> grid(const std::vector<Curve>& curves, bool history) {
   if (curves.empty()) return {};
-  const auto longest =
-      std::max_element(curves.begin(), curves.end(), [](const Curve& a, const Curve& b) { return a.at.back() < b.at.back(); });
+  const auto longest = std::max_element(
+      curves.begin(), curves.end(), [](const Curve& a, const Curve& b) { return a.at.back() < b.at.back(); });
   if (!history || curves.size() == 1) return longest->at;
   std::vector<double> x(401);
   for (std::size_t i = 0; i < x.size(); ++i) x[i] = longest->at.back() * double(i) / double(x.size() - 1);
   return x;
 }
 
-std::vector<double> theory_values(const SeriesSpec& series, const Scene& scene, const std::vector<double>& x) {
+std::vector<double> theory_values(const SeriesSpec& series, const Scene& scene,
+                                  const std::vector<double>& x) {
   const Theory& theory = theory_named(*series.theory);
   std::vector<double> values;
   for (const double at : x) {
     Point point{};
-    if (series.kind == SeriesSpec::Kind::profile) point = section_point(section_named(scene, series.observed.section), at);
+    if (series.kind == SeriesSpec::Kind::profile)
+      point = section_point(section_named(scene, series.observed.section), at);
     for (const Probe& probe : scene.probes)
       if (probe.name == series.observed.probe) point = probe.point;
     values.push_back(theory.value(scene, point, at) / series.observed.unit.factor);
@@ -114,12 +124,17 @@ std::string curves_csv(const SeriesSpec& series, const Study& study, const Study
   for (const FinishedRun* run : runs) raw.push_back(curve_of(series.observed, run->result));
   std::vector<double> x = grid(raw, history);
   std::vector<NamedCurve> curves;
-  for (std::size_t i = 0; i < raw.size(); ++i) curves.push_back({curve_name(series, *runs[i]->plan), resample(raw[i].at, raw[i].value, x)});
+  for (std::size_t i = 0; i < raw.size(); ++i)
+    curves.push_back({curve_name(series, *runs[i]->plan), resample(raw[i].at, raw[i].value, x)});
   if (series.theory && !series.scene)
     for (const FinishedRun* run : runs)
-      if (run->plan->scene != runs[0]->plan->scene) throw std::runtime_error("its runs are of several scenes, each with a theory of its own; expected \"scene\", which says whose it is");
+      if (run->plan->scene != runs[0]->plan->scene)
+        throw std::runtime_error(
+            "its runs are of several scenes, each with a theory of its own; expected \"scene\", which says "
+            "whose it is");
   if (series.theory && !runs.empty())
-    curves.push_back({"theory", theory_values(series, study.scenes.at(series.scene.value_or(runs[0]->plan->scene)), x)});
+    curves.push_back(
+        {"theory", theory_values(series, study.scenes.at(series.scene.value_or(runs[0]->plan->scene)), x)});
   for (double& at : x) at /= history ? series.time_unit.factor : 1e-3;
   return wide_csv(history ? "time_" + series.time_unit.name : "distance_mm", as_text(x), curves);
 }

@@ -17,8 +17,9 @@ const LimitSpec* spec_of(const Study& study, const std::string& scene) {
   return study.limit ? &*study.limit : nullptr;
 }
 
-/// Divisions and degree of a limit's coarser forms, coarse first: a quarter and half the cells along every axis that has four or more; without such an
-/// axis two degrees less and one. None: nothing coarser to look at.
+/// Divisions and degree of a limit's coarser forms, coarse first: a quarter and half the cells along every
+/// axis that has four or more; without such an axis two degrees less and one. None: nothing coarser to look
+/// at.
 struct Coarser {
   std::array<int, 3> divisions;
   int degree;
@@ -28,7 +29,9 @@ std::vector<Coarser> coarser_of(const LimitSpec& spec) {
   if (std::any_of(n.begin(), n.end(), [](int cells) { return cells >= 4; })) {
     std::vector<Coarser> ladder(2, {n, spec.degree});
     for (int a = 0; a < 3; ++a)
-      if (n[a] >= 4) ladder[0].divisions[a] = int(std::lround(n[a] / 4.0)), ladder[1].divisions[a] = int(std::lround(n[a] / 2.0));
+      if (n[a] >= 4)
+        ladder[0].divisions[a] = int(std::lround(n[a] / 4.0)),
+        ladder[1].divisions[a] = int(std::lround(n[a] / 2.0));
     return ladder;
   }
   if (spec.degree < 3) return {};
@@ -40,27 +43,36 @@ KnownLimit known_limit(const Scene& scene, const LimitSpec& spec, const Engine& 
   if (priced && spec.degree > 1) known.coarser = engine.limit(scene, spec.divisions, spec.degree - 1);
   for (const Coarser& coarser : coarser_of(spec)) {
     known.ladder.push_back(engine.limit(scene, coarser.divisions, coarser.degree));
-    // By degrees a singular point of exponent lambda leaves p^(-4 lambda), a logarithm ln(p/(p-1)): 0.26 and 0.71 from degrees 2, 3, 4.
+    // By degrees a singular point of exponent lambda leaves p^(-4 lambda), a logarithm ln(p/(p-1)): 0.26 and
+    // 0.71 from degrees 2, 3, 4.
     known.slowest = coarser.degree == spec.degree ? 0.7 : 0.5;
   }
   return known;
 }
 
-void one_ladder_limit(const Study& study, const QuantitySpec& quantity, const std::string& scene, const std::string& label, const StudyOptions& options,
-                      StudyOutcome& outcome) {
+void one_ladder_limit(const Study& study, const QuantitySpec& quantity, const std::string& scene,
+                      const std::string& label, const StudyOptions& options, StudyOutcome& outcome) {
   Ladder values;
-  const auto belongs = [&](const Row& row) { return row.scene == scene && row.quantity == quantity.name && row.value; };
+  const auto belongs = [&](const Row& row) {
+    return row.scene == scene && row.quantity == quantity.name && row.value;
+  };
   for (const Row& row : outcome.rows)
-    if (belongs(row) && row.method == label && row.spacing_mm && row.settled != false) values.push_back({*row.spacing_mm, *row.value});
+    if (belongs(row) && row.method == label && row.spacing_mm && row.settled != false)
+      values.push_back({*row.spacing_mm, *row.value});
   const auto limit = richardson(values);
   const std::string infinite = no_value_at(quantity, study.scenes.at(scene));
   if (!limit || !is_convergence(limit->order) || !infinite.empty()) {
     ++outcome.failures;
-    const std::string why = !infinite.empty() ? infinite
-                            : limit ? fmt::format("the finest spacings of {} head for {} with order {:.2f}, which is not that of convergence ({:g} to {:g})", label, rounded(limit->limit, 5),
-                                                  limit->order, least_order, greatest_order)
-                                    : fmt::format("the {} spacings of {} do not approach a limit in one direction", values.size(), label);
-    if (options.log) options.log(fmt::format("{} limit of {} in {}: {}", study.name, quantity.name, scene, why));
+    const std::string why =
+        !infinite.empty() ? infinite
+        : limit           ? fmt::format(
+                                "the finest spacings of {} head for {} with order {:.2f}, which is not that of "
+                                          "convergence ({:g} to {:g})",
+                                label, rounded(limit->limit, 5), limit->order, least_order, greatest_order)
+                : fmt::format(
+                      "the {} spacings of {} do not approach a limit in one direction", values.size(), label);
+    if (options.log)
+      options.log(fmt::format("{} limit of {} in {}: {}", study.name, quantity.name, scene, why));
     for (Row& row : outcome.rows)
       if (belongs(row)) row.limit_doubt = why;
     return;
@@ -75,17 +87,20 @@ void one_ladder_limit(const Study& study, const QuantitySpec& quantity, const st
     if (limit->limit != 0) row.limit_known_percent = 125 * std::abs(finest.value / limit->limit - 1);
   }
   if (options.log)
-    options.log(fmt::format("{} limit of {} in {}: {} {}, known to {:.2g} %, order {:.2f}", study.name, quantity.name, scene, rounded(limit->limit, 6),
-                            quantity.observed.unit.name, 125 * std::abs(finest.value / limit->limit - 1), limit->order));
+    options.log(fmt::format("{} limit of {} in {}: {} {}, known to {:.2g} %, order {:.2f}", study.name,
+                            quantity.name, scene, rounded(limit->limit, 6), quantity.observed.unit.name,
+                            125 * std::abs(finest.value / limit->limit - 1), limit->order));
 }
 
 }  // namespace
 
-StaticLimits static_limits(const Study& study, const Engine& engine, const StudyOptions& options, StudyOutcome& outcome) {
+StaticLimits static_limits(const Study& study, const Engine& engine, const StudyOptions& options,
+                           StudyOutcome& outcome) {
   StaticLimits limits;
   for (const PlannedRun& run : study.runs) {
     const LimitSpec* spec = spec_of(study, run.scene);
-    if (!spec || !spec->ladder.empty() || (options.quick && !run.quick) || limits.contains(run.scene)) continue;
+    if (!spec || !spec->ladder.empty() || (options.quick && !run.quick) || limits.contains(run.scene))
+      continue;
     try {
       limits[run.scene] = known_limit(study.scenes.at(run.scene), *spec, engine, !study.prices.empty());
     } catch (const std::exception& e) {
@@ -99,22 +114,33 @@ StaticLimits static_limits(const Study& study, const Engine& engine, const Study
 
 const KnownLimit* limit_of(const StaticLimits& limits, const std::string& scene) {
   const auto found = limits.find(scene);
-  return found == limits.end() || (found->second.limit.probes.empty() && found->second.limit.sections.empty()) ? nullptr : &found->second;
+  return found == limits.end() || (found->second.limit.probes.empty() && found->second.limit.sections.empty())
+             ? nullptr
+             : &found->second;
 }
 
 std::string doubt_of(const QuantitySpec& quantity, const Scene& scene, const KnownLimit& known) {
   if (const std::string infinite = no_value_at(quantity, scene); !infinite.empty()) return infinite;
   if (known.ladder.size() < 2) return "";
-  const auto first = change_of(quantity, scene, known.ladder[0], known.ladder[1]), second = change_of(quantity, scene, known.ladder[1], known.limit);
-  if (!first || !second || second->change <= 1e-4 * second->size || second->change <= known.slowest * first->change) return "";
-  const auto percent = [&](const LimitChange& one) { return second->size > 0 ? fmt::format("{:.2g} %", 100 * one.change / second->size) : rounded(one.change, 2); };
-  return fmt::format("its refinements change it by {}, then by {}, which does not fall as it would on the way to a limit", percent(*first), percent(*second));
+  const auto first = change_of(quantity, scene, known.ladder[0], known.ladder[1]),
+             second = change_of(quantity, scene, known.ladder[1], known.limit);
+  if (!first || !second || second->change <= 1e-4 * second->size ||
+      second->change <= known.slowest * first->change)
+    return "";
+  const auto percent = [&](const LimitChange& one) {
+    return second->size > 0 ? fmt::format("{:.2g} %", 100 * one.change / second->size)
+                            : rounded(one.change, 2);
+  };
+  return fmt::format(
+      "its refinements change it by {}, then by {}, which does not fall as it would on the way to a limit",
+      percent(*first), percent(*second));
 }
 
 void ladder_limits(const Study& study, const StudyOptions& options, StudyOutcome& outcome) {
   for (const auto& [scene, spec] : study.limits)
     for (const QuantitySpec& quantity : study.quantities)
-      if (!spec.ladder.empty() && (!quantity.scene || *quantity.scene == scene)) one_ladder_limit(study, quantity, scene, spec.ladder, options, outcome);
+      if (!spec.ladder.empty() && (!quantity.scene || *quantity.scene == scene))
+        one_ladder_limit(study, quantity, scene, spec.ladder, options, outcome);
 }
 
 }  // namespace femsph::compare

@@ -48,9 +48,12 @@ void add_cost(const RunResult& result, const Scene& scene, Row& row) {
 }
 
 void add_drift(const RunResult& result, Row& row) {
-  const auto scalar = [&](const char* name) { return result.scalars.contains(name) ? std::optional(result.scalars.at(name)) : std::nullopt; };
+  const auto scalar = [&](const char* name) {
+    return result.scalars.contains(name) ? std::optional(result.scalars.at(name)) : std::nullopt;
+  };
   row.energy_drift = scalar("energy_drift"), row.momentum_drift = scalar("momentum_drift");
-  row.angular_momentum_drift = scalar("angular_momentum_drift"), row.hourglass_share = scalar("hourglass_share");
+  row.angular_momentum_drift = scalar("angular_momentum_drift"),
+  row.hourglass_share = scalar("hourglass_share");
 }
 
 void add_paper(const Study& study, Row& row) {
@@ -67,12 +70,13 @@ void add_paper(const Study& study, Row& row) {
 /// A limit that is none: nothing is compared with it.
 void forget_limit(const QuantitySpec& quantity, Row& row) {
   row.limit.reset(), row.error_vs_limit_percent.reset(), row.limit_known_percent.reset();
-  if (quantity.reduce == Reduce::l2 && !row.error_percent) row.value.reset(), row.failure = "no limit: " + row.limit_doubt;
+  if (quantity.reduce == Reduce::l2 && !row.error_percent)
+    row.value.reset(), row.failure = "no limit: " + row.limit_doubt;
 }
 
 // The rows of one run; a quantity that cannot be taken is a row with the reason.
-std::vector<Row> rows_of(const Study& study, const PlannedRun& run, const RunResult* result, const RunResult& partial,
-                         const std::string& failure, const StaticLimits& limits) {
+std::vector<Row> rows_of(const Study& study, const PlannedRun& run, const RunResult* result,
+                         const RunResult& partial, const std::string& failure, const StaticLimits& limits) {
   const Scene& scene = study.scenes.at(run.scene);
   std::vector<Row> rows;
   for (const QuantitySpec& quantity : study.quantities) {
@@ -80,7 +84,8 @@ std::vector<Row> rows_of(const Study& study, const PlannedRun& run, const RunRes
     Row row = row_of(study, run, quantity);
     row.failure = failure;
     add_drift(result ? *result : partial, row);
-    if (!result && partial.price.steps > 0) row.steps = double(partial.price.steps), row.cpu_s = partial.price.cpu;
+    if (!result && partial.price.steps > 0)
+      row.steps = double(partial.price.steps), row.cpu_s = partial.price.cpu;
     if (result) {
       add_cost(*result, scene, row);
       try {
@@ -89,12 +94,15 @@ std::vector<Row> rows_of(const Study& study, const PlannedRun& run, const RunRes
         row.value = reduced.value;
         row.theory = reduced.theory, row.error_percent = reduced.error_percent;
         if (reduced.limit && !known->coarser.probes.empty())
-          if (const auto coarser = reduce(quantity, *result, scene, &known->coarser).limit; coarser && *reduced.limit != 0)
+          if (const auto coarser = reduce(quantity, *result, scene, &known->coarser).limit;
+              coarser && *reduced.limit != 0)
             row.limit_known_percent = 100 * std::abs(*coarser / *reduced.limit - 1);
         row.limit = reduced.limit, row.error_vs_limit_percent = reduced.error_vs_limit_percent;
         if (row.error_vs_limit_percent) row.limit_doubt = doubt_of(quantity, scene, *known);
         if (!row.limit_doubt.empty()) forget_limit(quantity, row);
-        if (row.settled == false) row.error_percent = row.error_vs_limit_percent = {};  // how far a body was on its way is no error of a method
+        if (row.settled == false)
+          row.error_percent =
+              row.error_vs_limit_percent = {};  // how far a body was on its way is no error of a method
       } catch (const std::exception& e) {
         row.failure = e.what();
       }
@@ -105,7 +113,8 @@ std::vector<Row> rows_of(const Study& study, const PlannedRun& run, const RunRes
   return rows;
 }
 
-std::string line_of(const Study& study, const PlannedRun& run, const std::vector<Row>& rows, const std::string& failure) {
+std::string line_of(const Study& study, const PlannedRun& run, const std::vector<Row>& rows,
+                    const std::string& failure) {
   std::string line = fmt::format("{} {} {}", study.name, run.case_name, run.label);
   if (!failure.empty()) return line + " failed: " + failure;
   if (!rows.empty() && rows[0].spacing_mm) line += fmt::format(" {:g} mm", *rows[0].spacing_mm);
@@ -147,7 +156,8 @@ void add_costs(const Costs& costs, const RunResult& result, Row& row) {
   row.total_cpu_min_s = *std::min_element(costs.total.begin(), costs.total.end());
   row.total_cpu_max_s = *std::max_element(costs.total.begin(), costs.total.end());
   row.repeats = double(costs.total.size());
-  if (result.price.steps && result.price.units) row.ns_per_unit_step = 1e9 * *row.cpu_s / (double(result.price.steps) * double(result.price.units));
+  if (result.price.steps && result.price.units)
+    row.ns_per_unit_step = 1e9 * *row.cpu_s / (double(result.price.steps) * double(result.price.units));
 }
 
 bool same_numbers(const RunResult& a, const RunResult& b) {
@@ -157,31 +167,40 @@ bool same_numbers(const RunResult& a, const RunResult& b) {
   return true;
 }
 
-/// Every run again, for its time alone. All runs once, then all again: what else the machine does then falls on all methods alike.
-void repeat_runs(const Study& study, const Engine& engine, const StudyOptions& options, StudyOutcome& outcome) {
+/// Every run again, for its time alone. All runs once, then all again: what else the machine does then falls
+/// on all methods alike.
+void repeat_runs(const Study& study, const Engine& engine, const StudyOptions& options,
+                 StudyOutcome& outcome) {
   std::vector<Costs> costs;
-  for (const FinishedRun& run : outcome.runs) costs.push_back({{run.result.price.cpu}, {run.result.price.total_cpu}});
+  for (const FinishedRun& run : outcome.runs)
+    costs.push_back({{run.result.price.cpu}, {run.result.price.total_cpu}});
   for (int round = 2; round <= study.repeat; ++round) {
-    if (options.log) options.log(fmt::format("{}: every run again, {} of {}", study.name, round, study.repeat));
+    if (options.log)
+      options.log(fmt::format("{}: every run again, {} of {}", study.name, round, study.repeat));
     for (std::size_t k = 0; k < outcome.runs.size(); ++k) {
       const FinishedRun& run = outcome.runs[k];
       try {
-        const RunResult again = engine.run(study.scenes.at(run.plan->scene), run.plan->method, run.plan->resolution, options_of(study, *run.plan, options));
-        if (!same_numbers(run.result, again)) throw std::runtime_error("a second run gave other numbers than the first");
+        const RunResult again = engine.run(study.scenes.at(run.plan->scene), run.plan->method,
+                                           run.plan->resolution, options_of(study, *run.plan, options));
+        if (!same_numbers(run.result, again))
+          throw std::runtime_error("a second run gave other numbers than the first");
         costs[k].march.push_back(again.price.cpu);
         costs[k].total.push_back(again.price.total_cpu);
       } catch (const std::exception& e) {
         ++outcome.failures;
-        if (options.log) options.log(fmt::format("{} {} {} repeated: {}", study.name, run.plan->case_name, run.plan->label, e.what()));
+        if (options.log)
+          options.log(fmt::format(
+              "{} {} {} repeated: {}", study.name, run.plan->case_name, run.plan->label, e.what()));
       }
-      for (std::size_t row = run.first_row; row < run.first_row + run.row_count; ++row) add_costs(costs[k], run.result, outcome.rows[row]);
+      for (std::size_t row = run.first_row; row < run.first_row + run.row_count; ++row)
+        add_costs(costs[k], run.result, outcome.rows[row]);
     }
     if (options.after_run) options.after_run(outcome);
   }
 }
 
-void make_run(const Study& study, const PlannedRun& run, const Engine& engine, const StudyOptions& options, const StaticLimits& limits,
-              StudyOutcome& outcome) {
+void make_run(const Study& study, const PlannedRun& run, const Engine& engine, const StudyOptions& options,
+              const StaticLimits& limits, StudyOutcome& outcome) {
   RunOptions run_options = options_of(study, run, options);
   RunResult partial;
   run_options.partial = &partial;

@@ -1,23 +1,28 @@
 #pragma once
-// Assumed strain fields of Belytschko and Bindeman, free of shear and volumetric locking and of any tuning parameter:
+// Assumed strain fields of Belytschko and Bindeman, free of shear and volumetric locking and of any tuning
+// parameter:
 //   2D "ASQBI", Comput. Meth. Appl. Mech. Engng 88 (1991) 311-340; 3D, ibid. 105 (1993) 225-260.
-// strain = mean strain + sum over hourglass modes a of their gradients h_a,j times q_a = gamma_a . u, in the cell's own axes:
+// strain = mean strain + sum over hourglass modes a of their gradients h_a,j times q_a = gamma_a . u, in the
+// cell's own axes:
 //   row i of the normal strains takes from u_j   h_a,j q_aj w(a, i, j),
-//     w = 1 (i = j);  -nubar (a = k, the third axis);  -nu (a = j or a = 4);  0 (a = i);      2D: w = 1 or -nubar
+//     w = 1 (i = j);  -nubar (a = k, the third axis);  -nu (a = j or a = 4);  0 (a = i);      2D: w = 1 or
+//     -nubar
 //   2 e_ij takes  h_a,j q_ai + h_a,i q_aj  from a = i and a = j (the twists);                 2D: nothing
 //   nubar = nu / (1 - nu), in plane stress nu.
-// Each bending mode so carries its own lateral strain: the lateral stress vanishes, and so does the trace as nu -> 1/2.
-// h_a,j is taken with the Jacobian of the centre and every Gauss point stands for V / 2^dim, so the sum of h_a,j over the cell is
-// exactly zero: mean strain and q never mix, and the patch test holds on any cell.
+// Each bending mode so carries its own lateral strain: the lateral stress vanishes, and so does the trace as
+// nu -> 1/2. h_a,j is taken with the Jacobian of the centre and every Gauss point stands for V / 2^dim, so
+// the sum of h_a,j over the cell is exactly zero: mean strain and q never mix, and the patch test holds on
+// any cell.
 //
-// Large motion: R, U from the mean deformation gradient, q is replaced by R^T q (see rotation.hpp): the energy of a cell does not
-// see a rigid motion, so momentum and angular momentum are exact.
+// Large motion: R, U from the mean deformation gradient, q is replaced by R^T q (see rotation.hpp): the
+// energy of a cell does not see a rigid motion, so momentum and angular momentum are exact.
 
 #include "fem/elements/elements.hpp"
 
 namespace femsph::fem {
 
-/// Strain as a polynomial in the reference coordinates: coefficients of xi_m, and of the product of the other two (normal strains, 3D).
+/// Strain as a polynomial in the reference coordinates: coefficients of xi_m, and of the product of the other
+/// two (normal strains, 3D).
 template <class T, int dim>
 struct AssumedField {
   static constexpr int modes = hourglass_modes<dim>;
@@ -102,14 +107,16 @@ struct AssumedField {
       for (int k = 0; k < symmetric_size<dim>; ++k)
         if (dim == 3 || k < dim) strain[k] += coordinate(m, q) * linear[m][k];
     for (int a = 0; a < products; ++a)
-      for (int i = 0; i < dim; ++i) strain[i] += coordinate((a + 1) % 3, q) * coordinate((a + 2) % 3, q) * product[a][i];
+      for (int i = 0; i < dim; ++i)
+        strain[i] += coordinate((a + 1) % 3, q) * coordinate((a + 2) % 3, q) * product[a][i];
   }
   FEMSPH_INLINE void add_moments(int q, const Symmetric<T, dim>& stress) {
     for (int m = 0; m < dim; ++m)
       for (int k = 0; k < symmetric_size<dim>; ++k)
         if (dim == 3 || k < dim) linear[m][k] += coordinate(m, q) * stress[k];
     for (int a = 0; a < products; ++a)
-      for (int i = 0; i < dim; ++i) product[a][i] += coordinate((a + 1) % 3, q) * coordinate((a + 2) % 3, q) * stress[i];
+      for (int i = 0; i < dim; ++i)
+        product[a][i] += coordinate((a + 1) % 3, q) * coordinate((a + 2) % 3, q) * stress[i];
   }
 };
 
@@ -133,10 +140,11 @@ struct AssumedStrainElement {
   }
 
   template <class Kinematics, class T, int dim, class LawType, class Observer>
-  FEMSPH_INLINE static void force(const CellMaterial<LawType>& material, const T* X, const T* u, [[maybe_unused]] T* state, T* f,
-                                  Observer& observer) {
+  FEMSPH_INLINE static void force(const CellMaterial<LawType>& material, const T* X, const T* u,
+                                  [[maybe_unused]] T* state, T* f, Observer& observer) {
     constexpr int modes = hourglass_modes<dim>, n = corners<dim>;
-    const double nu = material.elastic.poisson, nubar = material.elastic.plane == Plane::stress ? nu : nu / (1 - nu);
+    const double nu = material.elastic.poisson,
+                 nubar = material.elastic.plane == Plane::stress ? nu : nu / (1 - nu);
     const MeanCell<T, dim> cell(X);
     Tensor<T, dim> L, G, P;
     T q[modes][dim], Q[modes][dim];
@@ -154,8 +162,10 @@ struct AssumedStrainElement {
     each_point<LawType, n>([&](int p) __attribute__((always_inline)) {
       Symmetric<T, dim> strain = mean;
       field.add_to(p, strain);
-      auto stress = advance_law<LawType, T, dim, Kinematics>(material.law, strain, state + p * point_state_size<LawType, dim>);
-      observer.point(p, weight, frame, strain, stress, history_of<LawType, dim>(state + p * point_state_size<LawType, dim>));
+      auto stress = advance_law<LawType, T, dim, Kinematics>(
+          material.law, strain, state + p * point_state_size<LawType, dim>);
+      observer.point(p, weight, frame, strain, stress,
+                     history_of<LawType, dim>(state + p * point_state_size<LawType, dim>));
       stress = Kinematics::template conjugate<T, dim>(strain, stress);
       for (int k = 0; k < symmetric_size<dim>; ++k) sum[k] += stress[k];
       moments.add_moments(p, stress);

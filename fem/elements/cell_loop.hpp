@@ -5,10 +5,10 @@
 #include <memory>
 #include <optional>
 
-#include "fem/mesh/batches.hpp"
 #include "fem/fem.hpp"
-#include "model/numerics/archive.hpp"
+#include "fem/mesh/batches.hpp"
 #include "model/motion/discretization.hpp"
+#include "model/numerics/archive.hpp"
 
 namespace femsph::fem {
 

@@ -12,7 +12,8 @@
 
 namespace femsph::fem {
 
-/// Axes of a cell: the orthonormal frame nearest to the directions of its sides (polar rotation of the unit tangents at the centre).
+/// Axes of a cell: the orthonormal frame nearest to the directions of its sides (polar rotation of the unit
+/// tangents at the centre).
 template <int dim>
 Tensor<double, dim> cell_axes(const double* X) {
   const Modes<double, dim> m(X);
@@ -30,20 +31,26 @@ template <class ElementType, int dim, class T>
 class StiffnessLoop : public CellLoop {
  public:
   StiffnessLoop(const LoopInput& in, const LinearElastic& elastic)
-      : mesh_(*in.mesh), batches_(*in.batches), elastic_(elastic, in.hourglass.value_or(0)), thickness_(in.thickness) {
+      : mesh_(*in.mesh),
+        batches_(*in.batches),
+        elastic_(elastic, in.hourglass.value_or(0)),
+        thickness_(in.thickness) {
     if constexpr (ElementType::own_axes) make_axes();
   }
 
   void add_stiffness(const double* x, double* y) const override {
-    parallel_for(batches_.count, batches_per_domain, [&](std::size_t begin, std::size_t end) {
-      Unobserved nobody;
-      for (std::size_t b = begin; b < end; ++b)
-        for (int lane = 0; lane < lane_loops(b); ++lane) {
-          T f[size];
-          cell<SmallStrain>(elastic_, b, lane, x, static_cast<T*>(nullptr), f, nobody);
-          scatter_add<dim>(f, thickness_, &batches_.scatter[b * block], lane, y);
-        }
-    }, lanes);
+    parallel_for(
+        batches_.count, batches_per_domain,
+        [&](std::size_t begin, std::size_t end) {
+          Unobserved nobody;
+          for (std::size_t b = begin; b < end; ++b)
+            for (int lane = 0; lane < lane_loops(b); ++lane) {
+              T f[size];
+              cell<SmallStrain>(elastic_, b, lane, x, static_cast<T*>(nullptr), f, nobody);
+              scatter_add<dim>(f, thickness_, &batches_.scatter[b * block], lane, y);
+            }
+        },
+        lanes);
   }
   int points_per_cell() const override { return ElementType::template points<dim>; }
   bool equal_volumes() const override { return ElementType::equal_volumes; }
@@ -60,8 +67,8 @@ class StiffnessLoop : public CellLoop {
   }
 
   template <class Kinematics, class S, class LawType, class Observer>
-  FEMSPH_INLINE void cell(const CellMaterial<LawType>& material, std::size_t b, int lane, const double* displacement, S* state, S* f,
-                          Observer& observer) const {
+  FEMSPH_INLINE void cell(const CellMaterial<LawType>& material, std::size_t b, int lane,
+                          const double* displacement, S* state, S* f, Observer& observer) const {
     S X[size], u[size];
     const int* at = &batches_.gather[b * block];
     gather<dim>(mesh_.nodes.data(), at, lane, X);
@@ -84,7 +91,8 @@ class StiffnessLoop : public CellLoop {
     for (int i = 0; i < dim; ++i)
       for (int j = 0; j < dim; ++j) {
         if constexpr (ElementType::own_axes)
-          R[i][j] = load<S>(&axes_[(b * dim * dim + static_cast<std::size_t>(i * dim + j)) * lanes + static_cast<std::size_t>(lane)]);
+          R[i][j] = load<S>(&axes_[(b * dim * dim + static_cast<std::size_t>(i * dim + j)) * lanes +
+                                   static_cast<std::size_t>(lane)]);
         else
           R[i][j] = broadcast<S>(i == j);
       }
@@ -105,7 +113,8 @@ class StiffnessLoop : public CellLoop {
         gather<dim>(mesh_.nodes.data(), &batches_.gather[b * block], l, X);
         const Tensor<double, dim> R = cell_axes<dim>(X);
         for (int k = 0; k < dim * dim; ++k)
-          axes_[(b * dim * dim + static_cast<std::size_t>(k)) * lanes + static_cast<std::size_t>(l)] = R[k / dim][k % dim];
+          axes_[(b * dim * dim + static_cast<std::size_t>(k)) * lanes + static_cast<std::size_t>(l)] =
+              R[k / dim][k % dim];
       }
   }
 
@@ -135,41 +144,51 @@ class Loop final : public StiffnessLoop<ElementType, dim, T> {
 
  public:
   Loop(const LoopInput& in, const LawType& law)
-      : Base(in, law.elastic()), material_(law, in.hourglass.value_or(0)), state_(batches_.count * state_size * lanes, 0.0) {}
+      : Base(in, law.elastic()),
+        material_(law, in.hourglass.value_or(0)),
+        state_(batches_.count * state_size * lanes, 0.0) {}
 
   void set_step([[maybe_unused]] double dt) override {
     if constexpr (requires { material_.law.set_step(dt); }) material_.law.set_step(dt);
   }
   void add_force(const double* u, double* f) override {
-    parallel_for(batches_.count, batches_per_domain, [&](std::size_t begin, std::size_t end) {
-      Unobserved nobody;
-      for (std::size_t b = begin; b < end; ++b)
-        for (int lane = 0; lane < this->lane_loops(b); ++lane) {
-          T nodal[size];
-          if constexpr (state_size == 0 || lanes_of<T> == lanes) {
-            this->template cell<Kinematics>(material_, b, lane, u, reinterpret_cast<T*>(state_.data() + b * state_size * lanes), nodal,
-                                            nobody);
-          } else {
-            double state[state_size + 1];
-            read_state(b, lane, state);
-            this->template cell<Kinematics>(material_, b, lane, u, state, nodal, nobody);
-            for (int k = 0; k < state_size; ++k) state_[(b * state_size + k) * lanes + lane] = state[k];
-          }
-          scatter_add<dim>(nodal, -thickness_, &batches_.scatter[b * block], lane, f);
-        }
-    }, lanes);
+    parallel_for(
+        batches_.count, batches_per_domain,
+        [&](std::size_t begin, std::size_t end) {
+          Unobserved nobody;
+          for (std::size_t b = begin; b < end; ++b)
+            for (int lane = 0; lane < this->lane_loops(b); ++lane) {
+              T nodal[size];
+              if constexpr (state_size == 0 || lanes_of<T> == lanes) {
+                this->template cell<Kinematics>(
+                    material_, b, lane, u, reinterpret_cast<T*>(state_.data() + b * state_size * lanes),
+                    nodal, nobody);
+              } else {
+                double state[state_size + 1];
+                read_state(b, lane, state);
+                this->template cell<Kinematics>(material_, b, lane, u, state, nodal, nobody);
+                for (int k = 0; k < state_size; ++k) state_[(b * state_size + k) * lanes + lane] = state[k];
+              }
+              scatter_add<dim>(nodal, -thickness_, &batches_.scatter[b * block], lane, f);
+            }
+        },
+        lanes);
   }
 
   Energies energies(const double* u) const override {
-    const auto [strain, hourglass, plastic] = parallel_sums<3>(batches_.count, [&](std::size_t begin, std::size_t end) {
-      const std::size_t whole = std::min(end, batches_.cells / lanes);  // the last batch may repeat its last cell
-      EnergyObserver<LawType, dim, T> many{material_};
-      for (std::size_t b = begin; b < whole; ++b)
-        for (int lane = 0; lane < lanes; lane += lanes_of<T>) observe_cell<T>(u, b, lane, many);
-      EnergyObserver<LawType, dim, double> few{material_};
-      observe(u, std::max(begin, whole) * lanes, std::min(end * lanes, batches_.cells), few);
-      return std::array{horizontal_sum(many.strain) + few.strain, horizontal_sum(many.hourglass_) + few.hourglass_, horizontal_sum(many.plastic) + few.plastic};
-    });
+    const auto [strain, hourglass, plastic] = parallel_sums<3>(
+        batches_.count, [&](std::size_t begin, std::size_t end) {
+          const std::size_t whole = std::min(
+              end, batches_.cells / lanes);  // the last batch may repeat its last cell
+          EnergyObserver<LawType, dim, T> many{material_};
+          for (std::size_t b = begin; b < whole; ++b)
+            for (int lane = 0; lane < lanes; lane += lanes_of<T>) observe_cell<T>(u, b, lane, many);
+          EnergyObserver<LawType, dim, double> few{material_};
+          observe(u, std::max(begin, whole) * lanes, std::min(end * lanes, batches_.cells), few);
+          return std::array{
+              horizontal_sum(many.strain) + few.strain, horizontal_sum(many.hourglass_) + few.hourglass_,
+              horizontal_sum(many.plastic) + few.plastic};
+        });
     return {thickness_ * strain, thickness_ * hourglass, thickness_ * plastic};
   }
 
@@ -217,13 +236,19 @@ std::unique_ptr<CellLoop> choose_loop(const LoopInput& in) {
         using LawType = std::decay_t<decltype(law)>;
         const auto with = [&]<class Kinematics, int dim>() -> std::unique_ptr<CellLoop> {
           if constexpr (!LargeMotionOnly<LawType>)  // the others have no scalar form, to spare the compiler
-            if (in.scalar_kernel) return std::make_unique<Loop<ElementType, Kinematics, LawType, dim, double>>(in, law);
+            if (in.scalar_kernel)
+              return std::make_unique<Loop<ElementType, Kinematics, LawType, dim, double>>(in, law);
           return std::make_unique<Loop<ElementType, Kinematics, LawType, dim, Pack>>(in, law);
         };
         const bool plane = in.mesh->dim == 2;
-        if (in.large_motion) return plane ? with.template operator()<LargeMotion<LawType>, 2>() : with.template operator()<LargeMotion<LawType>, 3>();
-        if constexpr (LargeMotionOnly<LawType>) throw Refusal("this material needs motion = \"large\"");
-        else return plane ? with.template operator()<SmallStrain, 2>() : with.template operator()<SmallStrain, 3>();
+        if (in.large_motion)
+          return plane ? with.template operator()<LargeMotion<LawType>, 2>()
+                       : with.template operator()<LargeMotion<LawType>, 3>();
+        if constexpr (LargeMotionOnly<LawType>)
+          throw Refusal("this material needs motion = \"large\"");
+        else
+          return plane ? with.template operator()<SmallStrain, 2>()
+                       : with.template operator()<SmallStrain, 3>();
       },
       in.law);
 }

@@ -1,5 +1,6 @@
 #pragma once
-// Between interleaved nodal vectors and the registers of a batch. `at` holds the offsets of one batch, corner by corner, lane by lane.
+// Between interleaved nodal vectors and the registers of a batch. `at` holds the offsets of one batch, corner
+// by corner, lane by lane.
 
 #include "fem/mesh/gauss.hpp"
 

@@ -3,6 +3,8 @@
 
 namespace femsph::fem {
 
-std::unique_ptr<CellLoop> make_assumed_strain_loop(const LoopInput& in) { return choose_loop<AssumedStrainElement>(in); }
+std::unique_ptr<CellLoop> make_assumed_strain_loop(const LoopInput& in) {
+  return choose_loop<AssumedStrainElement>(in);
+}
 
 }  // namespace femsph::fem

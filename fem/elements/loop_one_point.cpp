@@ -3,6 +3,8 @@
 
 namespace femsph::fem {
 
-std::unique_ptr<CellLoop> make_one_point_loop(const LoopInput& in) { return choose_loop<OnePointElement>(in); }
+std::unique_ptr<CellLoop> make_one_point_loop(const LoopInput& in) {
+  return choose_loop<OnePointElement>(in);
+}
 
 }  // namespace femsph::fem

@@ -3,6 +3,8 @@
 
 namespace femsph::fem {
 
-std::unique_ptr<CellLoop> make_perturbed_loop(const LoopInput& in) { return choose_loop<PerturbedElement>(in); }
+std::unique_ptr<CellLoop> make_perturbed_loop(const LoopInput& in) {
+  return choose_loop<PerturbedElement>(in);
+}
 
 }  // namespace femsph::fem

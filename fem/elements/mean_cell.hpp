@@ -1,12 +1,15 @@
 #pragma once
-// The Q1 cell as a uniform gradient plus hourglass modes (Flanagan and Belytschko, Int. J. Numer. Meth. Engng 17, 1981).
-// Any nodal field is x(xi) = x_0 + sum_d x_d xi_d + sum_a x_a h_a(xi), with the hourglass shapes h = xi eta in 2D and
-// h_1 = eta zeta, h_2 = zeta xi, h_3 = xi eta, h_4 = xi eta zeta in 3D. The volume average of its gradient is, exactly,
+// The Q1 cell as a uniform gradient plus hourglass modes (Flanagan and Belytschko, Int. J. Numer. Meth. Engng
+// 17, 1981). Any nodal field is x(xi) = x_0 + sum_d x_d xi_d + sum_a x_a h_a(xi), with the hourglass shapes h
+// = xi eta in 2D and h_1 = eta zeta, h_2 = zeta xi, h_3 = xi eta, h_4 = xi eta zeta in 3D. The volume average
+// of its gradient is, exactly,
 //   L = (2^dim / V) (sum_d x_d (x) c_d + sum_a x_a (x) g_a)
 //   2D: c_d the cofactors of the centre, g = 0
-//   3D: c_d = A_d+1 x A_d+2 + S_d+2 x S_d+1 / 3,  g_a = (A_a+2 x S_a+1 + S_a+2 x A_a+1) / 3,  g_4 = 0   (indices cyclic)
-// where A_d and S_a are the coefficients of the geometry: integrate det J d xi_d/dX over the cube term by term.
-// gamma_a . u = u_a - L S_a is what is left of mode a when the linear part is taken out: zero for every linear field.
+//   3D: c_d = A_d+1 x A_d+2 + S_d+2 x S_d+1 / 3,  g_a = (A_a+2 x S_a+1 + S_a+2 x A_a+1) / 3,  g_4 = 0
+//   (indices cyclic)
+// where A_d and S_a are the coefficients of the geometry: integrate det J d xi_d/dX over the cube term by
+// term. gamma_a . u = u_a - L S_a is what is left of mode a when the linear part is taken out: zero for every
+// linear field.
 
 #include "fem/mesh/gauss.hpp"
 
@@ -98,7 +101,8 @@ struct MeanCell {
         for (int k = 0; k < 3; ++k) g[d][k] = (p[k] + q[k]) * (1.0 / 3);
       }
       volume = T{};
-      for (int d = 0; d < 3; ++d) volume += A[d][0] * c[d][0] + S[d][0] * g[d][0];  // the mean gradient of X itself is 1
+      for (int d = 0; d < 3; ++d)
+        volume += A[d][0] * c[d][0] + S[d][0] * g[d][0];  // the mean gradient of X itself is 1
     }
     scale = 1.0 / volume;
     volume *= corners<dim>;

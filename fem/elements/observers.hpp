@@ -1,5 +1,6 @@
 #pragma once
-// What can be asked of the material points while a kernel runs on one cell: their energy, their stress and strain.
+// What can be asked of the material points while a kernel runs on one cell: their energy, their stress and
+// strain.
 
 #include "fem/elements/cell_loop.hpp"
 #include "fem/elements/elements.hpp"
@@ -15,7 +16,8 @@ struct EnergyObserver {
 
   void enter(std::size_t, const Tensor<double, dim>&) {}
   template <class Frame>
-  FEMSPH_INLINE void point(int, const S& volume, const Frame&, const Symmetric<S, dim>& e, const Symmetric<S, dim>& s, const S* history) {
+  FEMSPH_INLINE void point(int, const S& volume, const Frame&, const Symmetric<S, dim>& e,
+                           const Symmetric<S, dim>& s, const S* history) {
     strain += volume * material.law.stored_energy(e, s, history);
     if constexpr (!LawType::path_independent) plastic += volume * material.law.plastic_work(history);
   }
@@ -39,10 +41,11 @@ struct SampleObserver {
              const Symmetric<double, dim>& s, const double* history) {
     give(q, volume, axes, e, s, across(e, s, history), history, 1.0);
   }
-  void point(int q, double volume, const Tensor<double, dim>& R, const Symmetric<double, dim>& e, const Symmetric<double, dim>& law_stress,
-             const double* history) {
+  void point(int q, double volume, const Tensor<double, dim>& R, const Symmetric<double, dim>& e,
+             const Symmetric<double, dim>& law_stress, const double* history) {
     Across normal = across(e, law_stress, history);
-    const Symmetric<double, dim> s = corotated_cauchy<Kinematics>(e, law_stress, normal.stress, normal.strain);
+    const Symmetric<double, dim> s = corotated_cauchy<Kinematics>(
+        e, law_stress, normal.stress, normal.strain);
     Tensor<double, dim> total{};
     for (int i = 0; i < dim; ++i)
       for (int j = 0; j < dim; ++j)
@@ -55,21 +58,26 @@ struct SampleObserver {
   struct Across {
     double stress = 0, strain = 0;
   };
-  Across across([[maybe_unused]] const Symmetric<double, dim>& e, [[maybe_unused]] const Symmetric<double, dim>& s,
+  Across across([[maybe_unused]] const Symmetric<double, dim>& e,
+                [[maybe_unused]] const Symmetric<double, dim>& s,
                 [[maybe_unused]] const double* history) const {
-    if constexpr (dim == 2) return {law.thickness_stress(e, s, history), law.thickness_strain(e, s, history)};
-    else return {};
+    if constexpr (dim == 2)
+      return {law.thickness_stress(e, s, history), law.thickness_strain(e, s, history)};
+    else
+      return {};
   }
   static std::array<double, 6> turned(const Tensor<double, dim>& R, const Symmetric<double, dim>& s) {
     std::array<double, 6> r{};
     for (int i = 0; i < dim; ++i)
       for (int j = i; j < dim; ++j)
         for (int k = 0; k < dim; ++k)
-          for (int l = 0; l < dim; ++l) r[static_cast<std::size_t>(symmetric_index<3>(i, j))] += R[i][k] * s(k, l) * R[j][l];
+          for (int l = 0; l < dim; ++l)
+            r[static_cast<std::size_t>(symmetric_index<3>(i, j))] += R[i][k] * s(k, l) * R[j][l];
     return r;
   }
-  void give(int q, double volume, const Tensor<double, dim>& R, const Symmetric<double, dim>& e, const Symmetric<double, dim>& s, const Across& normal,
-            [[maybe_unused]] const double* history, [[maybe_unused]] double share) {
+  void give(int q, double volume, const Tensor<double, dim>& R, const Symmetric<double, dim>& e,
+            const Symmetric<double, dim>& s, const Across& normal, [[maybe_unused]] const double* history,
+            [[maybe_unused]] double share) {
     Sample sample{first + static_cast<std::size_t>(q), volume, turned(R, s), turned(R, e), 0.0, {}};
     if (dim == 2) {
       sample.stress[2] = normal.stress;

@@ -1,24 +1,31 @@
 #pragma once
-// What holds the hourglass modes q = gamma . u of a one-point cell (mean_cell.hpp). Two controls; each adds its nodal forces Q = dW/dq,
-// and its energy W goes to the hourglass account.
+// What holds the hourglass modes q = gamma . u of a one-point cell (mean_cell.hpp). Two controls; each adds
+// its nodal forces Q = dW/dq, and its energy W goes to the hourglass account.
 //
-// PhysicalStabilization, without a parameter: the energy of the strains that are linear over the cell, assumed in its natural axes as in the hybrid
-// elements of Pian & Sumihara (Int. J. Numer. Meth. Engng 20 (1984) 1685-1695) and Pian & Tong (ibid. 22 (1986) 173-181). With A_d the tangents
-// at the centre, l_d = |A_d|^2, s_ad = A_d . q_a / l_d and V the volume
+// PhysicalStabilization, without a parameter: the energy of the strains that are linear over the cell,
+// assumed in its natural axes as in the hybrid elements of Pian & Sumihara (Int. J. Numer. Meth. Engng 20
+// (1984) 1685-1695) and Pian & Tong (ibid. 22 (1986) 173-181). With A_d the tangents at the centre, l_d =
+// |A_d|^2, s_ad = A_d . q_a / l_d and V the volume
 //   2D  W = V/6 Eb (s_0^2 + s_1^2)
-//   3D  W = V/6 sum_m { Eb (s_fe^2 + s_ef^2 + 2 nu s_fe s_ef) + mu (l_e s_ee + l_f s_ff)^2 / (l_e l_f) } + V/18 E sum_d s_4d^2,
-//       e = m + 1, f = m + 2 (cyclic): bending to both sides across axis m, the twist of that plane, and the mode xi eta zeta.
-// Eb is Young's modulus of bending, E / (1 - nu^2), in plane stress E: the stress normal to the fibres vanishes, so nothing grows without bound as
-// nu -> 1/2. On a rectangle or a box these are the assumed strains of assumed_strain.hpp to the last term (there is no A_d . A_e), on a
-// parallelogram Pian & Sumihara's stiffness, exact in pure bending.
+//   3D  W = V/6 sum_m { Eb (s_fe^2 + s_ef^2 + 2 nu s_fe s_ef) + mu (l_e s_ee + l_f s_ff)^2 / (l_e l_f) } +
+//   V/18 E sum_d s_4d^2,
+//       e = m + 1, f = m + 2 (cyclic): bending to both sides across axis m, the twist of that plane, and the
+//       mode xi eta zeta.
+// Eb is Young's modulus of bending, E / (1 - nu^2), in plane stress E: the stress normal to the fibres
+// vanishes, so nothing grows without bound as nu -> 1/2. On a rectangle or a box these are the assumed
+// strains of assumed_strain.hpp to the last term (there is no A_d . A_e), on a parallelogram Pian &
+// Sumihara's stiffness, exact in pure bending.
 //
-// Large motion: A_d turns with the R of the mean deformation gradient. W depends on R^T q alone, so it does not see a rigid motion; what the turn of
-// R does to it is balanced by the couple of rotation.hpp, and angular momentum is kept to round-off.
+// Large motion: A_d turns with the R of the mean deformation gradient. W depends on R^T q alone, so it does
+// not see a rigid motion; what the turn of R does to it is balanced by the couple of rotation.hpp, and
+// angular momentum is kept to round-off.
 //
-// Plastic laws, by deformation theory. Where the cell's point has flowed, its moduli fall to the secant's, times rho = Y / (Y + 3 mu p); what W loses as
-// p grows goes to the point's plastic work. And a fibre does not carry more than the yield stress: once the linear strains would bring the edges of the
-// cell to it (x = 1, x^2 = rho W / (V w_y), w_y = sigma^2 / (6 Eb)), the moment follows that of an ideally plastic rectangular section by its
-// curvature, M / M_y = 3/2 - 1/(2 x^2), up to 3/2 M_y. Below that, and with p = 0, a plastic body is held as an elastic one.
+// Plastic laws, by deformation theory. Where the cell's point has flowed, its moduli fall to the secant's,
+// times rho = Y / (Y + 3 mu p); what W loses as p grows goes to the point's plastic work. And a fibre does
+// not carry more than the yield stress: once the linear strains would bring the edges of the cell to it (x =
+// 1, x^2 = rho W / (V w_y), w_y = sigma^2 / (6 Eb)), the moment follows that of an ideally plastic
+// rectangular section by its curvature, M / M_y = 3/2 - 1/(2 x^2), up to 3/2 M_y. Below that, and with p = 0,
+// a plastic body is held as an elastic one.
 
 #include "fem/elements/elements.hpp"
 
@@ -34,9 +41,10 @@ struct PhysicalStabilization {
   static constexpr bool softens = true;
   /// q becomes Q; P, which works on the mean gradient of the whole cell, takes the couple of Q.
   template <class Kinematics, class LawType, class T, int dim, class Frame, class Observer>
-  FEMSPH_INLINE static void apply(const HourglassModuli& moduli, const MeanCell<T, dim>& cell, [[maybe_unused]] const Frame& frame,
-                                  [[maybe_unused]] const Symmetric<T, dim>& strain, [[maybe_unused]] const Softening<T>& soft,
-                                  [[maybe_unused]] T* history, T (&q)[hourglass_modes<dim>][dim], Tensor<T, dim>& P, Observer& observer) {
+  FEMSPH_INLINE static void apply(
+      const HourglassModuli& moduli, const MeanCell<T, dim>& cell, [[maybe_unused]] const Frame& frame,
+      [[maybe_unused]] const Symmetric<T, dim>& strain, [[maybe_unused]] const Softening<T>& soft,
+      [[maybe_unused]] T* history, T (&q)[hourglass_modes<dim>][dim], Tensor<T, dim>& P, Observer& observer) {
     constexpr int modes = hourglass_modes<dim>;
     const Tensor<T, dim>& A = cell.geometry.linear;
     T square[dim], inverse[dim], s[modes][dim], tau[modes][dim];
@@ -113,13 +121,16 @@ struct PhysicalStabilization {
 
   /// tau = dW/ds.
   template <class T>
-  FEMSPH_INLINE static void stresses(const HourglassModuli& m, const T& volume, const T (&)[2], const T (&)[2], const T (&s)[1][2], T (&tau)[1][2]) {
+  FEMSPH_INLINE static void stresses(const HourglassModuli& m, const T& volume, const T (&)[2],
+                                     const T (&)[2], const T (&s)[1][2], T (&tau)[1][2]) {
     const T k = (m.bending / 3) * volume;
     for (int d = 0; d < 2; ++d) tau[0][d] = k * s[0][d];
   }
   template <class T>
-  FEMSPH_INLINE static void stresses(const HourglassModuli& m, const T& volume, const T (&l)[3], const T (&inverse)[3], const T (&s)[4][3], T (&tau)[4][3]) {
-    const T third = (1.0 / 3) * volume, bending = m.bending * third, shear = m.shear * third, corner = (m.uniaxial / 3) * third;
+  FEMSPH_INLINE static void stresses(const HourglassModuli& m, const T& volume, const T (&l)[3],
+                                     const T (&inverse)[3], const T (&s)[4][3], T (&tau)[4][3]) {
+    const T third = (1.0 / 3) * volume, bending = m.bending * third, shear = m.shear * third,
+            corner = (m.uniaxial / 3) * third;
     T twist[3];
     for (int d = 0; d < 3; ++d) {
       const int e = (d + 1) % 3, f = (d + 2) % 3;
@@ -135,7 +146,8 @@ struct PhysicalStabilization {
   }
 
   template <class T, int dim, class Frame>
-  FEMSPH_INLINE static void add_couple(const Frame& R, Symmetric<T, dim> U, const T (&q)[hourglass_modes<dim>][dim],
+  FEMSPH_INLINE static void add_couple(const Frame& R, Symmetric<T, dim> U,
+                                       const T (&q)[hourglass_modes<dim>][dim],
                                        const T (&Q)[hourglass_modes<dim>][dim], Tensor<T, dim>& P) {
     for (int i = 0; i < dim; ++i) U[i] += 1.0;
     Tensor<T, dim> Z;
@@ -160,13 +172,15 @@ struct PhysicalStabilization {
 
 /// Stiffness control of Flanagan and Belytschko (1981) with a coefficient: per mode and component
 ///   W = 1/2 k 2^dim q^2,  k = coefficient M V sum_aI (dN_I/dx_a)^2,
-/// (lambda + 2 mu) V sum (dN/dx)^2 being their bound on the stiffness of the mean strain itself; M: see hourglass_modulus. It does not ask which way q
-/// points, so it is objective as it is. It perturbs: the coefficient is chosen, and cells that carry bending alone are as stiff as it says.
+/// (lambda + 2 mu) V sum (dN/dx)^2 being their bound on the stiffness of the mean strain itself; M: see
+/// hourglass_modulus. It does not ask which way q points, so it is objective as it is. It perturbs: the
+/// coefficient is chosen, and cells that carry bending alone are as stiff as it says.
 struct PerturbationControl {
   static constexpr bool softens = false;
   template <class Kinematics, class LawType, class T, int dim, class Frame, class Observer>
-  FEMSPH_INLINE static void apply(const HourglassModuli& moduli, const MeanCell<T, dim>& cell, const Frame&, const Symmetric<T, dim>&,
-                                  const Softening<T>&, T*, T (&q)[hourglass_modes<dim>][dim], Tensor<T, dim>&, Observer& observer) {
+  FEMSPH_INLINE static void apply(const HourglassModuli& moduli, const MeanCell<T, dim>& cell, const Frame&,
+                                  const Symmetric<T, dim>&, const Softening<T>&, T*,
+                                  T (&q)[hourglass_modes<dim>][dim], Tensor<T, dim>&, Observer& observer) {
     const T k = (moduli.perturbation * corners<dim>)*cell.volume * cell.gradient_square();
     T energy = T{};
     for (int a = 0; a < hourglass_modes<dim>; ++a)
@@ -187,7 +201,8 @@ struct OnePoint {
   static constexpr bool equal_volumes = true;
 
   template <class Kinematics, class T, int dim, class LawType, class Observer>
-  FEMSPH_INLINE static void force(const CellMaterial<LawType>& material, const T* X, const T* u, T* state, T* f, Observer& observer) {
+  FEMSPH_INLINE static void force(const CellMaterial<LawType>& material, const T* X, const T* u, T* state,
+                                  T* f, Observer& observer) {
     const MeanCell<T, dim> cell(X);
     Tensor<T, dim> L, P;
     T q[hourglass_modes<dim>][dim];
@@ -196,24 +211,29 @@ struct OnePoint {
     const auto frame = Kinematics::template strain<T, dim>(L, strain);
     T* const history = history_of<LawType, dim>(state);
     Softening<T> soft{broadcast<T>(1.0), T{}};
-    if constexpr (Control::softens && std::is_same_v<LawType, Plastic>) soft.drop = -history[Plastic::equivalent_strain];
+    if constexpr (Control::softens && std::is_same_v<LawType, Plastic>)
+      soft.drop = -history[Plastic::equivalent_strain];
     const auto stress = advance_law<LawType, T, dim, Kinematics>(material.law, strain, state);
-    if constexpr (Control::softens && std::is_same_v<LawType, Plastic>) flow(material.law, history[Plastic::equivalent_strain], soft);
+    if constexpr (Control::softens && std::is_same_v<LawType, Plastic>)
+      flow(material.law, history[Plastic::equivalent_strain], soft);
     observer.point(0, cell.volume, frame, strain, stress, history);
     Kinematics::template piola<T, dim>(frame, strain, stress, P);
     for (int i = 0; i < dim; ++i)
       for (int j = 0; j < dim; ++j) P[i][j] *= cell.volume;
-    Control::template apply<Kinematics, LawType, T, dim>(material.hourglass, cell, frame, strain, soft, history, q, P, observer);
+    Control::template apply<Kinematics, LawType, T, dim>(
+        material.hourglass, cell, frame, strain, soft, history, q, P, observer);
     cell.force(P, q, f);
   }
 
  private:
-  /// rho = Y / (Y + 3 mu p), d rho / dp = -3 mu Y_0 / (Y + 3 mu p)^2. On entry `drop` is minus the plastic strain before the step.
+  /// rho = Y / (Y + 3 mu p), d rho / dp = -3 mu Y_0 / (Y + 3 mu p)^2. On entry `drop` is minus the plastic
+  /// strain before the step.
   template <class T>
   FEMSPH_INLINE static void flow(const Plastic& law, const T& p, Softening<T>& soft) {
     soft.drop += p;
     if (!any(p > 0.0)) return;
-    const T yield = law.parameters.yield + law.parameters.hardening * p, r = 1.0 / (yield + 3 * law.base.mu * p);
+    const T yield = law.parameters.yield + law.parameters.hardening * p,
+            r = 1.0 / (yield + 3 * law.base.mu * p);
     soft.ratio = yield * r;
     soft.drop *= 3 * law.base.mu * law.parameters.yield * r * r;
   }

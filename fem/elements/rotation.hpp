@@ -1,10 +1,12 @@
 #pragma once
 // The moment balance of a co-rotated strain measure. With F = R U and a work expression
 //   dE = T : dU + (terms in R^T q, q a vector that is not part of F), Omega = R^T dR,
-// one finds dE = T : (R^T dF) - Omega : M with M = T U + sum S (x) R^T q and S the derivative by R^T q. Omega follows from
+// one finds dE = T : (R^T dF) - Omega : M with M = T U + sum S (x) R^T q and S the derivative by R^T q. Omega
+// follows from
 //   Omega U + U Omega = R^T dF - (R^T dF)^T,   axial: (tr U 1 - U) omega = ax(R^T dF),
-// so the stress that works on R^T dF is T + Z with a skew Z. It vanishes when M is symmetric (T coaxial with U, no q).
-// A force built so is the exact adjoint of strains that do not see a rigid rotation: its moment is zero for any law.
+// so the stress that works on R^T dF is T + Z with a skew Z. It vanishes when M is symmetric (T coaxial with
+// U, no q). A force built so is the exact adjoint of strains that do not see a rigid rotation: its moment is
+// zero for any law.
 
 #include "model/numerics/tensor.hpp"
 
@@ -29,7 +31,8 @@ FEMSPH_INLINE Tensor<T, 3> axial_couple(const Symmetric<T, 3>& U, const T (&axia
   const T D = e * f - c * d, E = d * f - a * e, F = d * e - b * f;
   const T r = 1.0 / (a * A + d * D + f * F);
   const T x = axial[0], y = axial[1], z = axial[2];
-  const T zx = (A * x + D * y + F * z) * r, zy = (D * x + B * y + E * z) * r, zz = (F * x + E * y + C * z) * r;
+  const T zx = (A * x + D * y + F * z) * r, zy = (D * x + B * y + E * z) * r,
+          zz = (F * x + E * y + C * z) * r;
   Tensor<T, 3> Z;
   Z[0][0] = Z[1][1] = Z[2][2] = T{};
   Z[2][1] = -zx;
@@ -53,8 +56,8 @@ FEMSPH_INLINE Tensor<T, 3> rotation_couple(const Symmetric<T, 3>& U, const Tenso
 
 /// P = R (T + Z), with M as above, U = 1 + strain.
 template <class T, int dim>
-FEMSPH_INLINE void coupled_piola(const Tensor<T, dim>& R, const Symmetric<T, dim>& strain, const Symmetric<T, dim>& stress,
-                                 Tensor<T, dim> M, Tensor<T, dim>& P) {
+FEMSPH_INLINE void coupled_piola(const Tensor<T, dim>& R, const Symmetric<T, dim>& strain,
+                                 const Symmetric<T, dim>& stress, Tensor<T, dim> M, Tensor<T, dim>& P) {
   Symmetric<T, dim> U = strain;
   for (int i = 0; i < dim; ++i) U[i] += 1.0;
   for (int i = 0; i < dim; ++i)

@@ -1,4 +1,5 @@
-// The full element again, by deal.II's FEValues and cell by cell. It shares the mesh with the fast loop, and nothing of its force.
+// The full element again, by deal.II's FEValues and cell by cell. It shares the mesh with the fast loop, and
+// nothing of its force.
 
 #include <deal.II/base/quadrature_lib.h>
 #include <deal.II/dofs/dof_handler.h>
@@ -31,7 +32,9 @@ class Oracle final : public ExplicitFem {
   }
 
   std::string describe() const override { return ExplicitFem::describe() + " by deal.II FEValues"; }
-  void internal_force(const double* u, const double*, double, double* f, double*) override { apply(u, f, -1); }
+  void internal_force(const double* u, const double*, double, double* f, double*) override {
+    apply(u, f, -1);
+  }
   void stiffness(const double* x, double* y) const override { apply(x, y, 1); }
   Energies energies(const double* u) const override {
     std::vector<double> y(layout().size);
@@ -45,7 +48,8 @@ class Oracle final : public ExplicitFem {
   /// y = factor sum over cells of the integral of sigma(u) : grad phi.
   void apply(const double* u, double* y, double factor) const {
     std::fill(y, y + layout().size, 0.0);
-    dealii::FEValues<dim> values(fe_, dealii::QGauss<dim>(2), dealii::update_gradients | dealii::update_JxW_values);
+    dealii::FEValues<dim> values(
+        fe_, dealii::QGauss<dim>(2), dealii::update_gradients | dealii::update_JxW_values);
     const dealii::FEValuesExtractors::Vector displacement(0);
     std::vector<double> local(fe_.n_dofs_per_cell());
     std::vector<dealii::SymmetricTensor<2, dim>> strains(values.n_quadrature_points);
@@ -59,9 +63,11 @@ class Oracle final : public ExplicitFem {
       values[displacement].get_function_symmetric_gradients_from_local_dof_values(local, strains);
       for (unsigned int q = 0; q < values.n_quadrature_points; ++q) {
         const dealii::SymmetricTensor<2, dim> stress =
-            law_.lambda * dealii::trace(strains[q]) * dealii::unit_symmetric_tensor<dim>() + 2 * law_.mu * strains[q];
+            law_.lambda * dealii::trace(strains[q]) * dealii::unit_symmetric_tensor<dim>() +
+            2 * law_.mu * strains[q];
         for (unsigned int i = 0; i < local.size(); ++i)
-          y[slot(i)] += factor * thickness_ * (stress * values[displacement].symmetric_gradient(i, q)) * values.JxW(q);
+          y[slot(i)] += factor * thickness_ * (stress * values[displacement].symmetric_gradient(i, q)) *
+                        values.JxW(q);
       }
     }
   }
@@ -75,7 +81,8 @@ class Oracle final : public ExplicitFem {
 
 }  // namespace
 
-std::unique_ptr<Discretization> discretize_oracle(const Scene& scene, std::size_t body, const Options& options) {
+std::unique_ptr<Discretization> discretize_oracle(const Scene& scene, std::size_t body,
+                                                  const Options& options) {
   if (options.element != Element::full || scene.large_motion || !scene.bars.empty())
     throw std::runtime_error("the FEValues oracle knows the full element in small strain without bars only");
   if (scene.dim() == 2) return std::make_unique<Oracle<2>>(scene, body, options);

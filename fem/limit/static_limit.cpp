@@ -1,4 +1,5 @@
-// Static linear elasticity with elements of high degree: the number that the cantilevers of both solvers converge to.
+// Static linear elasticity with elements of high degree: the number that the cantilevers of both solvers
+// converge to.
 
 #include <deal.II/base/quadrature_lib.h>
 #include <deal.II/base/symmetric_tensor.h>
@@ -26,8 +27,8 @@
 
 #include "fem/fem.hpp"
 #include "fem/mesh/mesh.hpp"
-#include "model/scene/shapes/structured_shapes.hpp"
 #include "model/numerics/principal.hpp"
+#include "model/scene/shapes/structured_shapes.hpp"
 
 namespace femsph::fem {
 
@@ -52,7 +53,8 @@ class StaticSolver {
     std::vector<dealii::types::global_dof_index> global(fe_.n_dofs_per_cell());
     for (const auto& cell : dofs_.active_cell_iterators()) {
       cell->get_dof_indices(global);
-      for (unsigned int i = 0; i < global.size(); ++i) component_[global[i]] = fe_.system_to_component_index(i).first;
+      for (unsigned int i = 0; i < global.size(); ++i)
+        component_[global[i]] = fe_.system_to_component_index(i).first;
     }
   }
 
@@ -87,8 +89,9 @@ class StaticSolver {
   }
   bool on(const Place& place, const dealii::Point<dim>& p) const {
     if (place.within && !place.within->contains(to_point(p), tolerance_)) return false;
-    return std::all_of(place.sides.begin(), place.sides.end(),
-                       [&](const std::string& side) { return body_.shape->on_side(side, to_point(p), tolerance_); });
+    return std::all_of(place.sides.begin(), place.sides.end(), [&](const std::string& side) {
+      return body_.shape->on_side(side, to_point(p), tolerance_);
+    });
   }
 
   /// Degrees of freedom of the support point nearest to p.
@@ -101,7 +104,9 @@ class StaticSolver {
         best = d;
         r.clear();
       }
-      if (d <= best + tolerance_ && (r.empty() || support_points_[i].distance(support_points_[r[0]]) < tolerance_)) r.push_back(i);
+      if (d <= best + tolerance_ &&
+          (r.empty() || support_points_[i].distance(support_points_[r[0]]) < tolerance_))
+        r.push_back(i);
     }
     return r;
   }
@@ -122,15 +127,18 @@ class StaticSolver {
   }
 
   /// Adds weight times the shape functions of a cell at a reference point: one quadrature point of a load.
-  void add_point(const Cell& cell, const dealii::Point<dim>& xi, double weight, std::vector<double>& share) const {
+  void add_point(const Cell& cell, const dealii::Point<dim>& xi, double weight,
+                 std::vector<double>& share) const {
     std::vector<dealii::types::global_dof_index> global(fe_.n_dofs_per_cell());
     cell->get_dof_indices(global);
     for (unsigned int i = 0; i < global.size(); ++i) share[global[i]] += weight * fe_.shape_value(i, xi);
   }
 
-  /// Distributes a load over its place: shape functions integrated over the faces, edges or vertices on it, or over the body.
+  /// Distributes a load over its place: shape functions integrated over the faces, edges or vertices on it,
+  /// or over the body.
   void add_load(const Load& load, dealii::Vector<double>& force) const {
-    if (load.pressure != 0) throw std::runtime_error("the converged static limit takes forces, not a pressure");
+    if (load.pressure != 0)
+      throw std::runtime_error("the converged static limit takes forces, not a pressure");
     std::vector<double> share(dofs_.n_dofs(), 0.0);
     if (load.place.point) {
       for (const auto i : nearest(*load.place.point)) share[i] = 1;
@@ -143,7 +151,8 @@ class StaticSolver {
       else if (dim == 3 && dimension == 1)
         over_lines(load.place, share);
       else
-        for (dealii::types::global_dof_index i = 0; i < support_points_.size(); ++i) share[i] = on(load.place, support_points_[i]);
+        for (dealii::types::global_dof_index i = 0; i < support_points_.size(); ++i)
+          share[i] = on(load.place, support_points_[i]);
     }
     std::array<double, dim> total{};
     for (std::size_t i = 0; i < share.size(); ++i) total[component_[i]] += share[i];
@@ -168,11 +177,14 @@ class StaticSolver {
       for (const unsigned int face : cell->face_indices()) {
         if (!cell->face(face)->at_boundary()) continue;
         bool all = true;
-        for (unsigned int v = 0; v < cell->face(face)->n_vertices(); ++v) all = all && on(place, cell->face(face)->vertex(v));
+        for (unsigned int v = 0; v < cell->face(face)->n_vertices(); ++v)
+          all = all && on(place, cell->face(face)->vertex(v));
         if (!all) continue;
         values.reinit(cell, face);
         for (unsigned int q = 0; q < rule.size(); ++q)
-          add_point(cell, dealii::MappingQ1<dim>().transform_real_to_unit_cell(cell, values.quadrature_point(q)), values.JxW(q), share);
+          add_point(cell,
+                    dealii::MappingQ1<dim>().transform_real_to_unit_cell(cell, values.quadrature_point(q)),
+                    values.JxW(q), share);
       }
   }
 
@@ -184,23 +196,25 @@ class StaticSolver {
         const unsigned int v0 = dealii::GeometryInfo<dim>::line_to_cell_vertices(line, 0);
         const unsigned int v1 = dealii::GeometryInfo<dim>::line_to_cell_vertices(line, 1);
         if (!on(place, cell->vertex(v0)) || !on(place, cell->vertex(v1))) continue;
-        if (!done.insert(
-                     {std::min(cell->vertex_index(v0), cell->vertex_index(v1)), std::max(cell->vertex_index(v0), cell->vertex_index(v1))})
+        if (!done.insert({std::min(cell->vertex_index(v0), cell->vertex_index(v1)),
+                          std::max(cell->vertex_index(v0), cell->vertex_index(v1))})
                  .second)
           continue;
-        const auto a = dealii::GeometryInfo<dim>::unit_cell_vertex(v0), b = dealii::GeometryInfo<dim>::unit_cell_vertex(v1);
+        const auto a = dealii::GeometryInfo<dim>::unit_cell_vertex(v0),
+                   b = dealii::GeometryInfo<dim>::unit_cell_vertex(v1);
         for (unsigned int q = 0; q < rule.size(); ++q)
-          add_point(cell, dealii::Point<dim>(a + rule.point(q)[0] * (b - a)), rule.weight(q) * cell->vertex(v0).distance(cell->vertex(v1)),
-                    share);
+          add_point(cell, dealii::Point<dim>(a + rule.point(q)[0] * (b - a)),
+                    rule.weight(q) * cell->vertex(v0).distance(cell->vertex(v1)), share);
       }
   }
 
-  /// Cell matrices as one product of tall matrices, K = strain^T stress, rows running over points and components: degree 3 in 3D has
-  /// 192 unknowns and 64 points a cell, and this goes through BLAS.
+  /// Cell matrices as one product of tall matrices, K = strain^T stress, rows running over points and
+  /// components: degree 3 in 3D has 192 unknowns and 64 points a cell, and this goes through BLAS.
   void assemble(const dealii::Vector<double>& force) {
     constexpr int m = symmetric_size<dim>;
     const dealii::QGauss<dim> rule(fe_.degree + 1);
-    dealii::FEValues<dim> values(fe_, rule, dealii::update_gradients | dealii::update_values | dealii::update_JxW_values);
+    dealii::FEValues<dim> values(
+        fe_, rule, dealii::update_gradients | dealii::update_values | dealii::update_JxW_values);
     const dealii::FEValuesExtractors::Vector displacement(0);
     const unsigned int n = fe_.n_dofs_per_cell();
     dealii::FullMatrix<double> K(n, n), strain(m * rule.size(), n), stress(m * rule.size(), n);
@@ -311,17 +325,24 @@ class StaticSolver {
 
 StaticLimit static_limit(const Scene& scene, const std::array<int, 3>& divisions, int degree) {
   if (scene.bodies.size() != 1)
-    throw std::runtime_error("the static limit wants one body, and the scene has " + std::to_string(scene.bodies.size()));
-  if (!scene.bars.empty() || std::any_of(scene.supports.begin(), scene.supports.end(), [](const Support& s) { return s.mean; }))
+    throw std::runtime_error(
+        "the static limit wants one body, and the scene has " + std::to_string(scene.bodies.size()));
+  if (!scene.bars.empty() ||
+      std::any_of(scene.supports.begin(), scene.supports.end(), [](const Support& s) { return s.mean; }))
     throw std::runtime_error("the static limit knows neither bars nor supports with mode = \"mean\"");
-  if (std::any_of(scene.supports.begin(), scene.supports.end(), [](const Support& s) { return s.velocity != Point{}; }))
+  if (std::any_of(scene.supports.begin(), scene.supports.end(),
+                  [](const Support& s) { return s.velocity != Point{}; }))
     throw std::runtime_error("the static limit is of supports at rest, and one of this scene moves");
-  if (scene.large_motion) throw std::runtime_error("the static limit is of small motion, and this scene asks for motion = \"large\"");
+  if (scene.large_motion)
+    throw std::runtime_error(
+        "the static limit is of small motion, and this scene asks for motion = \"large\"");
   const Shape* shape = scene.bodies[0].shape.get();
-  if (dynamic_cast<const Ball*>(shape) || dynamic_cast<const Round*>(shape) || dynamic_cast<const OwnBall*>(shape))
+  if (dynamic_cast<const Ball*>(shape) || dynamic_cast<const Round*>(shape) ||
+      dynamic_cast<const OwnBall*>(shape))
     throw std::runtime_error("the static limit's cells have straight sides, and this body is round");
   if (degree < 1) throw std::runtime_error("the static limit wants a polynomial degree of at least 1");
-  return scene.dim() == 2 ? StaticSolver<2>(scene, divisions, degree).solve() : StaticSolver<3>(scene, divisions, degree).solve();
+  return scene.dim() == 2 ? StaticSolver<2>(scene, divisions, degree).solve()
+                          : StaticSolver<3>(scene, divisions, degree).solve();
 }
 
 }  // namespace femsph::fem

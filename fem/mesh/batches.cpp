@@ -7,7 +7,8 @@
 
 namespace femsph::fem {
 
-Batches::Batches(const Mesh& mesh) : count(round_up(mesh.cell_count(), lanes) / lanes), cells(mesh.cell_count()) {
+Batches::Batches(const Mesh& mesh)
+    : count(round_up(mesh.cell_count(), lanes) / lanes), cells(mesh.cell_count()) {
   const std::size_t corners = static_cast<std::size_t>(mesh.corners());
   gather.resize(count * corners * lanes);
   scatter.resize(gather.size());
@@ -37,7 +38,8 @@ Batches::Batches(const Mesh& mesh) : count(round_up(mesh.cell_count(), lanes) / 
   const int spare = static_cast<int>(slots++) * mesh.dim;
   std::replace(scatter.begin(), scatter.end(), -1, spare);
 
-  std::stable_sort(ghosts.begin(), ghosts.end(), [](const auto& a, const auto& b) { return std::get<0>(a) < std::get<0>(b); });
+  std::stable_sort(ghosts.begin(), ghosts.end(),
+                   [](const auto& a, const auto& b) { return std::get<0>(a) < std::get<0>(b); });
   for (const auto& [node, ghost] : ghosts) {
     if (shared_node.empty() || shared_node.back() != node) {
       shared_node.push_back(node);
@@ -49,7 +51,8 @@ Batches::Batches(const Mesh& mesh) : count(round_up(mesh.cell_count(), lanes) / 
 }
 
 std::size_t Batches::bytes() const {
-  return sizeof(int) * (gather.capacity() + scatter.capacity() + shared_node.capacity() + shared_begin.capacity() + shared_slot.capacity());
+  return sizeof(int) * (gather.capacity() + scatter.capacity() + shared_node.capacity() +
+                        shared_begin.capacity() + shared_slot.capacity());
 }
 
 void Batches::sum_ghosts(double* f, int dim) const {

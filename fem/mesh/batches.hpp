@@ -1,8 +1,9 @@
 #pragma once
-// How the cells are dealt to SIMD lanes and threads. A batch is eight cells, corner by corner; a domain is a fixed run of batches
-// (its size depends on nothing but the dimension). A node first touched by another domain is a ghost: the domain adds to a slot of
-// its own behind the nodes, and the slots are summed afterwards in domain order. So no two threads write one slot, and the
-// result does not depend on how many there are.
+// How the cells are dealt to SIMD lanes and threads. A batch is eight cells, corner by corner; a domain is a
+// fixed run of batches (its size depends on nothing but the dimension). A node first touched by another
+// domain is a ghost: the domain adds to a slot of its own behind the nodes, and the slots are summed
+// afterwards in domain order. So no two threads write one slot, and the result does not depend on how many
+// there are.
 
 #include <cstddef>
 #include <vector>
@@ -17,7 +18,7 @@ inline constexpr std::size_t batches_per_domain = 512;
 
 struct Batches {
   std::size_t count = 0;
-  std::size_t cells = 0;      ///< lanes beyond the last cell repeat it, and scatter into a slot that nobody reads
+  std::size_t cells = 0;  ///< lanes beyond the last cell repeat it, and scatter into a slot that nobody reads
   AlignedVector<int> gather;  ///< offset of the corner's values: (batch * corners + corner) * lanes + lane
   AlignedVector<int> scatter;
   std::size_t slots = 0;  ///< nodes, ghost slots and the slot of the padding lanes

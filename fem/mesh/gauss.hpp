@@ -1,7 +1,7 @@
 #pragma once
-// The Q1 cell at its 2^dim Gauss points, by sum factorisation. Corners and points are lexicographic: bit d of the number says
-// which end (or which point) along direction d. T is double or Pack.
-// A derivative along direction d does not vary along d, so it is kept once per line of points: 2^(dim-1) values.
+// The Q1 cell at its 2^dim Gauss points, by sum factorisation. Corners and points are lexicographic: bit d of
+// the number says which end (or which point) along direction d. T is double or Pack. A derivative along
+// direction d does not vary along d, so it is kept once per line of points: 2^(dim-1) values.
 
 #include "model/numerics/tensor.hpp"
 
@@ -105,7 +105,7 @@ FEMSPH_INLINE Tensor<T, dim> centre_derivatives(const T* x) {
     for (int c = 0; c < dim; ++c) {
       T sum{};
       for (int a = 0; a < corners<dim>; ++a) sum += (a >> d & 1 ? 1.0 : -1.0) * x[a * dim + c];
-      G[d][c] = (1.0 / corners<dim>) * sum;
+      G[d][c] = (1.0 / corners<dim>)*sum;
     }
   return G;
 }

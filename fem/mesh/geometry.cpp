@@ -14,11 +14,13 @@ template <int dim>
 std::array<double, corners<dim>> jacobians(const Mesh& mesh, std::size_t cell) {
   double X[corners<dim> * dim];
   for (int a = 0; a < corners<dim>; ++a)
-    for (int c = 0; c < dim; ++c) X[a * dim + c] = mesh.nodes[static_cast<std::size_t>(mesh.cell(cell)[a] * dim + c)];
+    for (int c = 0; c < dim; ++c)
+      X[a * dim + c] = mesh.nodes[static_cast<std::size_t>(mesh.cell(cell)[a] * dim + c)];
   const GaussCell<double, dim> x(X);
   std::array<double, corners<dim>> r;
   Tensor<double, dim> unused;
-  for (int q = 0; q < corners<dim>; ++q) r[static_cast<std::size_t>(q)] = cofactors<double, dim>(x.at(q), unused);
+  for (int q = 0; q < corners<dim>; ++q)
+    r[static_cast<std::size_t>(q)] = cofactors<double, dim>(x.at(q), unused);
   return r;
 }
 
@@ -40,7 +42,8 @@ Point map_point(const Mesh& mesh, std::size_t cell, const Point& xi) {
   const auto N = shape_functions(mesh.dim, xi);
   Point p{};
   for (int a = 0; a < mesh.corners(); ++a)
-    for (int c = 0; c < mesh.dim; ++c) p[c] += N[a] * mesh.nodes[static_cast<std::size_t>(mesh.cell(cell)[a] * mesh.dim + c)];
+    for (int c = 0; c < mesh.dim; ++c)
+      p[c] += N[a] * mesh.nodes[static_cast<std::size_t>(mesh.cell(cell)[a] * mesh.dim + c)];
   return p;
 }
 
@@ -70,7 +73,8 @@ double shortest_edge(const Mesh& mesh) {
   for (std::size_t c = 0; c < mesh.cell_count(); ++c)
     for (int a = 0; a < mesh.corners(); ++a)
       for (int d = 0; d < mesh.dim; ++d)
-        if (!((a >> d) & 1)) h = std::min(h, distance(mesh.node(mesh.cell(c)[a]), mesh.node(mesh.cell(c)[a | (1 << d)])));
+        if (!((a >> d) & 1))
+          h = std::min(h, distance(mesh.node(mesh.cell(c)[a]), mesh.node(mesh.cell(c)[a | (1 << d)])));
   return h;
 }
 
@@ -79,14 +83,16 @@ namespace {
 /// A straight edge or a bilinear face, its nodes lexicographic, -1 beyond them.
 using Piece = std::array<int, 4>;
 
-/// All cell edges (dimension 1) or faces (dimension 2) whose nodes are all marked, once each. Those that two cells share are no boundary:
-/// `boundary_only` leaves them out.
-std::vector<Piece> marked_pieces(const Mesh& mesh, const std::vector<char>& marked, int dimension, bool boundary_only) {
+/// All cell edges (dimension 1) or faces (dimension 2) whose nodes are all marked, once each. Those that two
+/// cells share are no boundary: `boundary_only` leaves them out.
+std::vector<Piece> marked_pieces(const Mesh& mesh, const std::vector<char>& marked, int dimension,
+                                 bool boundary_only) {
   std::vector<std::pair<Piece, Piece>> found;  // sorted nodes, nodes
   for (std::size_t c = 0; c < mesh.cell_count(); ++c)
     for (int first = 0; first < mesh.corners(); ++first)
       for (int directions = 1; directions < mesh.corners(); ++directions) {
-        if (__builtin_popcount(static_cast<unsigned>(directions)) != dimension || (first & directions)) continue;
+        if (__builtin_popcount(static_cast<unsigned>(directions)) != dimension || (first & directions))
+          continue;
         Piece nodes{-1, -1, -1, -1};
         int n = 0;
         bool all = true;
@@ -146,15 +152,17 @@ std::vector<Weight> normalised(const std::vector<double>& share) {
 
 }  // namespace
 
-std::vector<Weight> place_weights(const Mesh& mesh, const Shape& shape, const Place& place, std::span<const double> mass,
-                                  double tolerance) {
+std::vector<Weight> place_weights(const Mesh& mesh, const Shape& shape, const Place& place,
+                                  std::span<const double> mass, double tolerance) {
   if (place.point) {
     std::size_t nearest = 0;
     for (std::size_t i = 1; i < mesh.node_count(); ++i)
       if (distance(mesh.node(i), *place.point) < distance(mesh.node(nearest), *place.point)) nearest = i;
     return {{nearest, 1.0}};
   }
-  const auto within = [&](std::size_t i) { return !place.within || place.within->contains(mesh.node(i), tolerance); };
+  const auto within = [&](std::size_t i) {
+    return !place.within || place.within->contains(mesh.node(i), tolerance);
+  };
   if (place.sides.empty()) {
     std::vector<double> share(mass.begin(), mass.end());
     for (std::size_t i = 0; i < share.size(); ++i)
@@ -164,8 +172,10 @@ std::vector<Weight> place_weights(const Mesh& mesh, const Shape& shape, const Pl
 
   std::vector<char> marked(mesh.node_count());
   for (std::size_t i = 0; i < mesh.node_count(); ++i)
-    marked[i] = within(i) && std::all_of(place.sides.begin(), place.sides.end(),
-                            [&](const std::string& side) { return shape.on_side(side, mesh.node(i), tolerance); });
+    marked[i] = within(i) &&
+                std::all_of(place.sides.begin(), place.sides.end(), [&](const std::string& side) {
+                  return shape.on_side(side, mesh.node(i), tolerance);
+                });
   const int dimension = mesh.dim - static_cast<int>(place.sides.size());
   std::vector<double> share(mesh.node_count(), 0.0);
   bool any = false;

@@ -22,8 +22,10 @@ double jacobian(const Mesh& mesh, std::size_t cell, int q);
 std::vector<double> lumped_mass(const Mesh& mesh, double density, double thickness);
 double shortest_edge(const Mesh& mesh);
 
-/// Nodes of a place with the share of a unit total force that a uniform traction gives each: over the facets on one side, along the
-/// edges on two sides of a solid, in equal parts on corners; the nearest node of a point; by mass over a whole body.
-std::vector<Weight> place_weights(const Mesh& mesh, const Shape& shape, const Place& place, std::span<const double> mass, double tolerance);
+/// Nodes of a place with the share of a unit total force that a uniform traction gives each: over the facets
+/// on one side, along the edges on two sides of a solid, in equal parts on corners; the nearest node of a
+/// point; by mass over a whole body.
+std::vector<Weight> place_weights(const Mesh& mesh, const Shape& shape, const Place& place,
+                                  std::span<const double> mass, double tolerance);
 
 }  // namespace femsph::fem

@@ -29,10 +29,12 @@ Bounds bounds_of(const Mesh& mesh, std::size_t cell) {
 /// Solves the small system J d = r (Cramer).
 Point solve(const std::array<Point, 3>& column, const Point& r) {
   const auto det = [](const Point& a, const Point& b, const Point& c) {
-    return a[0] * (b[1] * c[2] - b[2] * c[1]) - b[0] * (a[1] * c[2] - a[2] * c[1]) + c[0] * (a[1] * b[2] - a[2] * b[1]);
+    return a[0] * (b[1] * c[2] - b[2] * c[1]) - b[0] * (a[1] * c[2] - a[2] * c[1]) +
+           c[0] * (a[1] * b[2] - a[2] * b[1]);
   };
   const double d = det(column[0], column[1], column[2]);
-  return {det(r, column[1], column[2]) / d, det(column[0], r, column[2]) / d, det(column[0], column[1], r) / d};
+  return {
+      det(r, column[1], column[2]) / d, det(column[0], r, column[2]) / d, det(column[0], column[1], r) / d};
 }
 
 /// Reference coordinates of p in a cell; far outside it they mean "not here" and no more.
@@ -40,7 +42,8 @@ Point inverse_map(const Mesh& mesh, std::size_t cell, const Point& p) {
   Point xi{};
   for (int turn = 0; turn < 20; ++turn) {
     std::array<Point, 3> J{Point{}, Point{}, Point{0, 0, 1}};
-    for (int d = 0; d < mesh.dim; ++d) {  // the map is linear in each coordinate: a difference is the derivative
+    for (int d = 0; d < mesh.dim;
+         ++d) {  // the map is linear in each coordinate: a difference is the derivative
       Point up = xi, down = xi;
       up[d] += 1;
       down[d] -= 1;
@@ -99,7 +102,8 @@ Locator::Locator(const Mesh& mesh, double slack) : mesh_(mesh), slack_(slack) {
 
 std::array<int, 3> Locator::bin(const Point& p) const {
   std::array<int, 3> r{};
-  for (int d = 0; d < mesh_.dim; ++d) r[d] = std::clamp(static_cast<int>(std::floor((p[d] - lower_[d]) / size_[d])), 0, count_[d] - 1);
+  for (int d = 0; d < mesh_.dim; ++d)
+    r[d] = std::clamp(static_cast<int>(std::floor((p[d] - lower_[d]) / size_[d])), 0, count_[d] - 1);
   return r;
 }
 
@@ -114,7 +118,8 @@ std::vector<Locator::Found> Locator::find_all(const Point& p) const {
   for (int k = low[2]; k <= high[2]; ++k)
     for (int j = low[1]; j <= high[1]; ++j)
       for (int i = low[0]; i <= high[0]; ++i)
-        candidates.insert(candidates.end(), cells_.begin() + begin_[index(i, j, k)], cells_.begin() + begin_[index(i, j, k) + 1]);
+        candidates.insert(candidates.end(), cells_.begin() + begin_[index(i, j, k)],
+                          cells_.begin() + begin_[index(i, j, k) + 1]);
   std::sort(candidates.begin(), candidates.end());
   candidates.erase(std::unique(candidates.begin(), candidates.end()), candidates.end());
   std::vector<Found> found;
@@ -129,12 +134,13 @@ std::vector<Locator::Found> Locator::find_all(const Point& p) const {
   }
   if (found.empty() && slack_ > 0) found = nearest(p);
   if (found.empty())
-    throw Refusal("the point (" + std::to_string(p[0]) + ", " + std::to_string(p[1]) + ", " + std::to_string(p[2]) +
-                             ") m lies in no cell of the mesh");
+    throw Refusal("the point (" + std::to_string(p[0]) + ", " + std::to_string(p[1]) + ", " +
+                  std::to_string(p[2]) + ") m lies in no cell of the mesh");
   return found;
 }
 
-/// A curved side is made of straight edges, and a point under the curve lies in no cell: the nearest one stands for it, if it is near.
+/// A curved side is made of straight edges, and a point under the curve lies in no cell: the nearest one
+/// stands for it, if it is near.
 std::vector<Locator::Found> Locator::nearest(const Point& p) const {
   double reach = 0;
   for (int d = 0; d < mesh_.dim; ++d) reach += size_[d] * size_[d];

@@ -1,8 +1,5 @@
 #include "fem/mesh/mesh.hpp"
 
-#include "fem/options.hpp"
-#include "model/scene/shapes/structured_shapes.hpp"
-
 #include <deal.II/grid/grid_generator.h>
 #include <deal.II/grid/grid_tools.h>
 #include <deal.II/grid/tria.h>
@@ -13,6 +10,10 @@
 #include <numeric>
 #include <stdexcept>
 #include <utility>
+
+#include "fem/options.hpp"
+#include "model/input/faults.hpp"
+#include "model/scene/shapes/structured_shapes.hpp"
 
 namespace femsph::fem {
 
@@ -26,19 +27,21 @@ dealii::Point<dim> to_dealii(const Point& p) {
 }
 
 template <int dim>
-void triangulate_box(const Shape& shape, const std::array<int, 3>& divisions, dealii::Triangulation<dim>& triangulation) {
+void triangulate_box(const Shape& shape, const std::array<int, 3>& divisions,
+                     dealii::Triangulation<dim>& triangulation) {
   std::vector<unsigned int> n(dim);
   for (int d = 0; d < dim; ++d) {
     if (divisions[d] < 1)
-      throw Refusal("a box needs at least one cell along each axis, but divisions[" + std::to_string(d) + "] is " +
-                               std::to_string(divisions[d]));
+      throw Refusal("a box needs at least one cell along each axis, but divisions[" + std::to_string(d) +
+                    "] is " + std::to_string(divisions[d]));
     n[d] = static_cast<unsigned int>(divisions[d]);
   }
-  dealii::GridGenerator::subdivided_hyper_rectangle(triangulation, n, to_dealii<dim>(shape.lower()), to_dealii<dim>(shape.upper()));
+  dealii::GridGenerator::subdivided_hyper_rectangle(
+      triangulation, n, to_dealii<dim>(shape.lower()), to_dealii<dim>(shape.upper()));
 }
 
-/// deal.II wants cells of positive measure, so left-handed ones are mirrored, and shared edges of one direction: both renumber the
-/// corners of a cell, lexicographic as they are.
+/// deal.II wants cells of positive measure, so left-handed ones are mirrored, and shared edges of one
+/// direction: both renumber the corners of a cell, lexicographic as they are.
 template <int dim>
 void triangulate_cells(const CellMesh& mesh, dealii::Triangulation<dim>& triangulation) {
   std::vector<dealii::Point<dim>> vertices;
@@ -46,9 +49,11 @@ void triangulate_cells(const CellMesh& mesh, dealii::Triangulation<dim>& triangu
   std::vector<dealii::CellData<dim>> cells;
   for (const auto& c : mesh.cells) {
     dealii::CellData<dim> cell;
-    for (unsigned int a = 0; a < cell.vertices.size(); ++a) cell.vertices[a] = static_cast<unsigned int>(c[a]);
+    for (unsigned int a = 0; a < cell.vertices.size(); ++a)
+      cell.vertices[a] = static_cast<unsigned int>(c[a]);
     if (dealii::GridTools::cell_measure(vertices, dealii::make_array_view(std::as_const(cell.vertices))) < 0)
-      for (unsigned int a = 0; a < cell.vertices.size(); a += 2) std::swap(cell.vertices[a], cell.vertices[a + 1]);
+      for (unsigned int a = 0; a < cell.vertices.size(); a += 2)
+        std::swap(cell.vertices[a], cell.vertices[a + 1]);
     cells.push_back(cell);
   }
   dealii::SubCellData none;
@@ -65,8 +70,10 @@ std::uint64_t interleave(const std::array<std::uint64_t, 3>& k) {
   return r;
 }
 
-/// Cells in compact blocks (64 x 64, or 16 x 16 x 16: one domain of batches) along the Z-order curve, row by row inside a block.
-std::vector<std::size_t> compact_order(const std::vector<Point>& centres, const Point& lower, const Point& size, int dim) {
+/// Cells in compact blocks (64 x 64, or 16 x 16 x 16: one domain of batches) along the Z-order curve, row by
+/// row inside a block.
+std::vector<std::size_t> compact_order(const std::vector<Point>& centres, const Point& lower,
+                                       const Point& size, int dim) {
   using Key = std::array<std::uint64_t, 4>;
   const std::uint64_t block = dim == 2 ? 64 : 16;
   std::vector<Key> keys(centres.size());
@@ -80,7 +87,8 @@ std::vector<std::size_t> compact_order(const std::vector<Point>& centres, const 
   }
   std::vector<std::size_t> order(centres.size());
   std::iota(order.begin(), order.end(), std::size_t{0});
-  std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) { return keys[a] < keys[b]; });
+  std::stable_sort(
+      order.begin(), order.end(), [&](std::size_t a, std::size_t b) { return keys[a] < keys[b]; });
   return order;
 }
 
@@ -141,15 +149,19 @@ void make_triangulation(const Shape& shape, const std::array<int, 3>& divisions,
   else if (const auto* disc = dynamic_cast<const Ball*>(&shape); disc && dim == 2)
     triangulate_cells<dim>(Round(2, {disc->centre(), 0, disc->radius()}).mesh(divisions), triangulation);
   else
-    throw Refusal("FEM has no mesh for a " + shape.describe() + "; give it as a body that comes with its own cells (shape = \"mesh\")");
+    throw Refusal("FEM has no mesh for a " + shape.describe() +
+                  "; give it as a body that comes with its own cells (shape = \"mesh\")");
   if (distortion > 0) dealii::GridTools::distort_random(distortion, triangulation, true, 12345u);
 }
 
-template void make_triangulation<2>(const Shape&, const std::array<int, 3>&, double, dealii::Triangulation<2, 2>&);
-template void make_triangulation<3>(const Shape&, const std::array<int, 3>&, double, dealii::Triangulation<3, 3>&);
+template void make_triangulation<2>(const Shape&, const std::array<int, 3>&, double,
+                                    dealii::Triangulation<2, 2>&);
+template void make_triangulation<3>(const Shape&, const std::array<int, 3>&, double,
+                                    dealii::Triangulation<3, 3>&);
 
 Mesh make_mesh(const Shape& shape, const std::array<int, 3>& divisions, double distortion) {
-  return shape.dim() == 2 ? make_mesh_of<2>(shape, divisions, distortion) : make_mesh_of<3>(shape, divisions, distortion);
+  return shape.dim() == 2 ? make_mesh_of<2>(shape, divisions, distortion)
+                          : make_mesh_of<3>(shape, divisions, distortion);
 }
 
 std::string deal_ii_version() { return DEAL_II_PACKAGE_VERSION; }

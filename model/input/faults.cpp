@@ -8,8 +8,9 @@ namespace femsph {
 namespace {
 
 std::vector<Fault> in_order(std::vector<Fault> faults) {
-  std::stable_sort(faults.begin(), faults.end(),
-                   [](const Fault& a, const Fault& b) { return a.line != b.line ? a.line < b.line : a.column < b.column; });
+  std::stable_sort(faults.begin(), faults.end(), [](const Fault& a, const Fault& b) {
+    return a.line != b.line ? a.line < b.line : a.column < b.column;
+  });
   constexpr std::size_t most = 1000;  // more are not read by anyone
   if (faults.size() > most) faults.erase(faults.begin() + most, faults.end());
   return faults;
@@ -19,14 +20,15 @@ std::string message(const std::string& file, const std::vector<Fault>& faults) {
   std::string all;
   for (const Fault& fault : faults) {
     if (!all.empty()) all += '\n';
-    all +=
-        fault.line > 0 ? fmt::format("{}:{}:{}: {}", file, fault.line, fault.column, fault.text) : fmt::format("{}: {}", file, fault.text);
+    all += fault.line > 0 ? fmt::format("{}:{}:{}: {}", file, fault.line, fault.column, fault.text)
+                          : fmt::format("{}: {}", file, fault.text);
   }
   return all;
 }
 
-// Damerau-Levenshtein distance in its "optimal string alignment" form: three rows of the table of prefix distances.
-// The four kinds of slip it counts are most of all spelling errors: F. J. Damerau, Commun. ACM 7 (1964) 171.
+// Damerau-Levenshtein distance in its "optimal string alignment" form: three rows of the table of prefix
+// distances. The four kinds of slip it counts are most of all spelling errors: F. J. Damerau, Commun. ACM 7
+// (1964) 171.
 std::size_t edit_distance(std::string_view a, std::string_view b) {
   std::vector<std::size_t> before(b.size() + 1), last(b.size() + 1), row(b.size() + 1);
   for (std::size_t j = 0; j <= b.size(); ++j) last[j] = j;
@@ -34,7 +36,8 @@ std::size_t edit_distance(std::string_view a, std::string_view b) {
     row[0] = i;
     for (std::size_t j = 1; j <= b.size(); ++j) {
       row[j] = std::min({last[j] + 1, row[j - 1] + 1, last[j - 1] + (a[i - 1] != b[j - 1])});
-      if (i > 1 && j > 1 && a[i - 1] == b[j - 2] && a[i - 2] == b[j - 1]) row[j] = std::min(row[j], before[j - 2] + 1);
+      if (i > 1 && j > 1 && a[i - 1] == b[j - 2] && a[i - 2] == b[j - 1])
+        row[j] = std::min(row[j], before[j - 2] + 1);
     }
     before.swap(last);
     last.swap(row);
@@ -62,7 +65,8 @@ std::string one_of(const std::vector<std::string>& names) {
     for (std::size_t i = 0; i < most; ++i) all += in_quotes(names[i]) + ", ";
     return fmt::format("{}.. (one of {})", all, names.size());
   }
-  for (std::size_t i = 0; i < names.size(); ++i) all += (i == 0 ? "" : i + 1 == names.size() ? " or " : ", ") + in_quotes(names[i]);
+  for (std::size_t i = 0; i < names.size(); ++i)
+    all += (i == 0 ? "" : i + 1 == names.size() ? " or " : ", ") + in_quotes(names[i]);
   return all;
 }
 

@@ -20,7 +20,8 @@ struct Fault {
 };
 
 /// All faults of a file, in the order of their lines; what() is the whole message, one line per fault:
-/// "file:line:column: what is wrong; what was expected; did you mean" (without line and column for the file as a whole).
+/// "file:line:column: what is wrong; what was expected; did you mean" (without line and column for the file
+/// as a whole).
 class InputError : public std::runtime_error {
  public:
   InputError(const std::string& file, std::vector<Fault> faults);
@@ -30,7 +31,8 @@ class InputError : public std::runtime_error {
   std::vector<Fault> faults_;
 };
 
-/// A method that cannot do what a scene asks for, in one sentence: a refusal before the first step, and no fault of the scene.
+/// A method that cannot do what a scene asks for, in one sentence: a refusal before the first step, and no
+/// fault of the scene.
 class Refusal : public std::runtime_error {
  public:
   using std::runtime_error::runtime_error;
@@ -50,14 +52,16 @@ class Faults {
   std::vector<Fault> list_;
 };
 
-/// `text` in double quotes for a message: control characters escaped and long texts cut, so that a fault stays one line.
+/// `text` in double quotes for a message: control characters escaped and long texts cut, so that a fault
+/// stays one line.
 std::string in_quotes(std::string_view text);
 
 /// "a", "b" or "c" (quoted), for messages.
 std::string one_of(const std::vector<std::string>& names);
 
 /// "; did you mean "x"?" for the name closest to `word`, empty when none is close.
-/// Close: at most a third of its letters (and at least one) inserted, removed, replaced or swapped with a neighbour.
+/// Close: at most a third of its letters (and at least one) inserted, removed, replaced or swapped with a
+/// neighbour.
 std::string did_you_mean(std::string_view word, const std::vector<std::string>& names);
 
 }  // namespace femsph

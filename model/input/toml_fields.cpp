@@ -9,9 +9,13 @@
 namespace femsph {
 namespace {
 
-Source source_of(const toml::node& node) { return {int(node.source().begin.line), int(node.source().begin.column)}; }
+Source source_of(const toml::node& node) {
+  return {int(node.source().begin.line), int(node.source().begin.column)};
+}
 
-bool has_sign(double value, Sign sign) { return sign == Sign::any || value > 0 || (sign == Sign::not_negative && value == 0); }
+bool has_sign(double value, Sign sign) {
+  return sign == Sign::any || value > 0 || (sign == Sign::not_negative && value == 0);
+}
 
 std::string type_of(const toml::node& node) {
   switch (node.type()) {
@@ -40,7 +44,8 @@ std::optional<double> finite_number(const toml::node& node) {
 
 }  // namespace
 
-Fields::Fields(const toml::table& table, std::string name, Faults& faults) : table_(&table), name_(std::move(name)), faults_(&faults) {}
+Fields::Fields(const toml::table& table, std::string name, Faults& faults)
+    : table_(&table), name_(std::move(name)), faults_(&faults) {}
 
 Source Fields::source() const { return source_of(*table_); }
 
@@ -53,7 +58,8 @@ const toml::node* Fields::find(const char* key, Need need, const std::string& ex
   asked_.emplace_back(key);
   const toml::node* node = table_->get(key);
   if (!node && need == Need::required)
-    faults_->add(source(), fmt::format("missing \"{}\"{}; expected {}", key, name_.empty() ? "" : " in " + name_, expected));
+    faults_->add(source(), fmt::format("missing \"{}\"{}; expected {}", key,
+                                       name_.empty() ? "" : " in " + name_, expected));
   return node;
 }
 
@@ -75,7 +81,8 @@ std::optional<std::string> Fields::text(const char* key, Need need, const std::s
   return {};
 }
 
-std::optional<std::vector<std::string>> Fields::texts(const char* key, Need need, const std::string& expected) {
+std::optional<std::vector<std::string>> Fields::texts(const char* key, Need need,
+                                                      const std::string& expected) {
   const toml::array* list = array(key, need, expected);
   if (!list) return {};
   std::vector<std::string> all;
@@ -90,7 +97,8 @@ std::optional<double> Fields::number(const char* key, Need need, const std::stri
   const toml::node* node = find(key, need, expected);
   if (!node) return {};
   const auto value = finite_number(*node);
-  if (node->is_number() && !value) return fault(key, fmt::format("\"{}\" is not finite; expected {}", key, expected)), std::nullopt;
+  if (node->is_number() && !value)
+    return fault(key, fmt::format("\"{}\" is not finite; expected {}", key, expected)), std::nullopt;
   if (!value) wrong_type(*node, key, expected);
   return value;
 }
@@ -102,7 +110,9 @@ std::optional<std::vector<double>> Fields::numbers(const char* key, Need need) {
   std::vector<double> all;
   for (const toml::node& node : *list) {
     const auto value = finite_number(node);
-    if (!value) return faults_->add(source_of(node), fmt::format("not a number in \"{}\"; expected {}", key, expected)), std::nullopt;
+    if (!value)
+      return faults_->add(source_of(node), fmt::format("not a number in \"{}\"; expected {}", key, expected)),
+             std::nullopt;
     all.push_back(*value);
   }
   return all;
@@ -127,13 +137,15 @@ std::optional<int> Fields::count(const char* key, Need need, int least, int most
   return {};
 }
 
-std::optional<double> Fields::read_quantity(const toml::node& node, const char* key, const Dimension& dimension, Sign sign) {
+std::optional<double> Fields::read_quantity(const toml::node& node, const char* key,
+                                            const Dimension& dimension, Sign sign) {
   if (!node.is_string()) return wrong_type(node, key, expected_quantity(dimension)), std::nullopt;
   try {
     const double value = to_si(node.as_string()->get(), dimension);
     if (has_sign(value, sign)) return value;
-    faults_->add(source_of(node), fmt::format("\"{}\" is {}; expected {} {}", key, node.as_string()->get(), dimension.name,
-                                              sign == Sign::positive ? "greater than zero" : "zero or greater"));
+    faults_->add(source_of(node),
+                 fmt::format("\"{}\" is {}; expected {} {}", key, node.as_string()->get(), dimension.name,
+                             sign == Sign::positive ? "greater than zero" : "zero or greater"));
   } catch (const std::invalid_argument& e) {
     faults_->add(source_of(node), fmt::format("\"{}\": {}", key, e.what()));
   }
@@ -145,27 +157,33 @@ std::optional<double> Fields::quantity(const char* key, Need need, const Dimensi
   return node ? read_quantity(*node, key, dimension, sign) : std::nullopt;
 }
 
-std::optional<std::vector<double>> Fields::quantities(const char* key, Need need, const Dimension& dimension, Sign sign) {
-  const toml::array* list = array(key, need, fmt::format("a list such as [\"{0}\", \"{0}\"]", dimension.example));
+std::optional<std::vector<double>> Fields::quantities(const char* key, Need need, const Dimension& dimension,
+                                                      Sign sign) {
+  const toml::array* list = array(
+      key, need, fmt::format("a list such as [\"{0}\", \"{0}\"]", dimension.example));
   return list ? read_quantities(*list, key, dimension, sign) : std::nullopt;
 }
 
-std::optional<std::vector<double>> Fields::read_quantities(const toml::array& list, const char* key, const Dimension& dimension, Sign sign) {
+std::optional<std::vector<double>> Fields::read_quantities(const toml::array& list, const char* key,
+                                                           const Dimension& dimension, Sign sign) {
   std::vector<double> all;
   for (const toml::node& node : list)
     if (const auto value = read_quantity(node, key, dimension, sign)) all.push_back(*value);
   return all.size() == list.size() ? std::optional(all) : std::nullopt;
 }
 
-std::optional<Point> Fields::vector(const char* key, Need need, const Dimension& dimension, int dim, Sign sign) {
+std::optional<Point> Fields::vector(const char* key, Need need, const Dimension& dimension, int dim,
+                                    Sign sign) {
   const auto all = quantities(key, need, dimension, sign);
   return all ? to_point(*all, key, dim) : std::nullopt;
 }
 
-std::optional<std::array<Point, 3>> Fields::matrix(const char* key, Need need, const Dimension* dimension, int dim) {
+std::optional<std::array<Point, 3>> Fields::matrix(const char* key, Need need, const Dimension* dimension,
+                                                   int dim) {
   const std::string value = dimension ? fmt::format("\"{}\"", dimension->example) : "0.1";
   const std::string row = dim == 3 ? fmt::format("[{0}, {0}, {0}]", value) : fmt::format("[{0}, {0}]", value);
-  const std::string expected = dim == 3 ? fmt::format("three rows such as [{0}, {0}, {0}]", row) : fmt::format("two rows such as [{0}, {0}]", row);
+  const std::string expected = dim == 3 ? fmt::format("three rows such as [{0}, {0}, {0}]", row)
+                                        : fmt::format("two rows such as [{0}, {0}]", row);
   const toml::array* list = array(key, need, expected);
   if (!list) return {};
   const bool fits = dim == 0 ? list->size() == 2 || list->size() == 3 : int(list->size()) == dim;
@@ -175,10 +193,13 @@ std::optional<std::array<Point, 3>> Fields::matrix(const char* key, Need need, c
   bool good = true;
   for (std::size_t i = 0; i < list->size(); ++i) {
     const toml::array& line = *(*list)[i].as_array();
-    if (line.size() != list->size()) return fault(key, fmt::format("\"{}\" is no square matrix; expected {}", key, expected)), std::nullopt;
+    if (line.size() != list->size())
+      return fault(key, fmt::format("\"{}\" is no square matrix; expected {}", key, expected)), std::nullopt;
     for (std::size_t j = 0; j < line.size(); ++j) {
-      const auto number = dimension ? read_quantity(line[j], key, *dimension, Sign::any) : finite_number(line[j]);
-      if (!number && !dimension) faults_->add(source_of(line[j]), fmt::format("not a number in \"{}\"; expected {}", key, expected));
+      const auto number = dimension ? read_quantity(line[j], key, *dimension, Sign::any)
+                                    : finite_number(line[j]);
+      if (!number && !dimension)
+        faults_->add(source_of(line[j]), fmt::format("not a number in \"{}\"; expected {}", key, expected));
       good = good && number;
       rows[i][j] = number.value_or(0);
     }
@@ -186,29 +207,36 @@ std::optional<std::array<Point, 3>> Fields::matrix(const char* key, Need need, c
   return good ? std::optional(rows) : std::nullopt;
 }
 
-std::optional<std::pair<Point, Point>> Fields::corners(const char* key, Need need, const Dimension& dimension, int dim) {
+std::optional<std::pair<Point, Point>> Fields::corners(const char* key, Need need, const Dimension& dimension,
+                                                       int dim) {
   const std::string expected = "two corners such as [[\"0 mm\", \"0 mm\"], [\"50 mm\", \"10 mm\"]]";
   const toml::array* list = array(key, need, expected);
   if (!list) return {};
   if (list->size() != 2 || !(*list)[0].is_array() || !(*list)[1].is_array())
-    return fault(key, fmt::format("\"{}\" is not a pair of corners; expected {}", key, expected)), std::nullopt;
+    return fault(key, fmt::format("\"{}\" is not a pair of corners; expected {}", key, expected)),
+           std::nullopt;
   std::optional<Point> corner[2];
   for (int k = 0; k < 2; ++k)
-    if (const auto all = read_quantities(*(*list)[std::size_t(k)].as_array(), key, dimension, Sign::any)) corner[k] = to_point(*all, key, dim);
+    if (const auto all = read_quantities(*(*list)[std::size_t(k)].as_array(), key, dimension, Sign::any))
+      corner[k] = to_point(*all, key, dim);
   if (!corner[0] || !corner[1]) return {};
   for (int a = 0; a < 3; ++a)
     if ((*corner[0])[a] > (*corner[1])[a])
-      return fault(key, fmt::format("the first corner of \"{}\" lies above the second along {}; expected the lower corner first", key, "xyz"[a])), std::nullopt;
+      return fault(key, fmt::format("the first corner of \"{}\" lies above the second along {}; expected the "
+                                    "lower corner first",
+                                    key, "xyz"[a])),
+             std::nullopt;
   return std::pair(*corner[0], *corner[1]);
 }
 
 std::optional<Point> Fields::to_point(const std::vector<double>& all, const char* key, int dim) const {
   const bool fits = dim == 0 ? all.size() == 2 || all.size() == 3 : int(all.size()) == dim;
   if (!fits) {
-    fault(key, fmt::format("\"{}\" has {} component{}; expected {}", key, all.size(), all.size() == 1 ? "" : "s",
-                           dim == 2   ? "2 (x, y) in a plane scene"
-                           : dim == 3 ? "3 (x, y, z) in a three-dimensional scene"
-                                      : "2 or 3"));
+    fault(key,
+          fmt::format("\"{}\" has {} component{}; expected {}", key, all.size(), all.size() == 1 ? "" : "s",
+                      dim == 2   ? "2 (x, y) in a plane scene"
+                      : dim == 3 ? "3 (x, y, z) in a three-dimensional scene"
+                                 : "2 or 3"));
     return {};
   }
   Point point{};
@@ -221,7 +249,8 @@ std::optional<std::size_t> Fields::choose(const char* key, Need need, const std:
   if (!word) return {};
   const auto found = std::find(words.begin(), words.end(), *word);
   if (found != words.end()) return found - words.begin();
-  fault(key, fmt::format("\"{}\" is {}; expected {}{}", key, in_quotes(*word), one_of(words), did_you_mean(*word, words)));
+  fault(key, fmt::format("\"{}\" is {}; expected {}{}", key, in_quotes(*word), one_of(words),
+                         did_you_mean(*word, words)));
   return {};
 }
 
@@ -246,20 +275,25 @@ std::vector<Fields> Fields::tables(const char* key) {
   return all;
 }
 
-std::vector<std::pair<std::string, Fields>> Fields::named_tables(const char* key, Need need, const std::string& expected) {
+std::vector<std::pair<std::string, Fields>> Fields::named_tables(const char* key, Need need,
+                                                                 const std::string& expected) {
   std::vector<std::pair<std::string, Fields>> all;
   const toml::node* node = find(key, need, expected);
   if (!node) return all;
   if (!node->is_table()) return wrong_type(*node, key, expected), all;
-  if (node->as_table()->empty() && need == Need::required) fault(key, fmt::format("\"{}\" is empty; expected {}", key, expected));
+  if (node->as_table()->empty() && need == Need::required)
+    fault(key, fmt::format("\"{}\" is empty; expected {}", key, expected));
   for (const auto& [name, value] : *node->as_table()) {
     const std::string full = fmt::format("{}.{}", key, name.str());
     if (value.is_table())
-      all.emplace_back(std::string(name.str()), Fields(*value.as_table(), fmt::format("[{}]", full), *faults_));
+      all.emplace_back(
+          std::string(name.str()), Fields(*value.as_table(), fmt::format("[{}]", full), *faults_));
     else
       wrong_type(value, full, expected);
   }
-  const auto place = [](const auto& entry) { return std::pair(entry.second.source().line, entry.second.source().column); };
+  const auto place = [](const auto& entry) {
+    return std::pair(entry.second.source().line, entry.second.source().column);
+  };
   std::sort(all.begin(), all.end(), [&](const auto& a, const auto& b) { return place(a) < place(b); });
   return all;
 }
@@ -272,9 +306,10 @@ void Fields::done() {
   for (const auto& [key, value] : *table_) {
     const std::string word(key.str());
     if (std::find(asked_.begin(), asked_.end(), word) != asked_.end()) continue;
-    faults_->add({int(key.source().begin.line), int(key.source().begin.column)},
-                 fmt::format("unknown key {}{}; expected {}{}", in_quotes(word), name_.empty() ? "" : " in " + name_, one_of(asked_),
-                             did_you_mean(word, asked_)));
+    faults_->add(
+        {int(key.source().begin.line), int(key.source().begin.column)},
+        fmt::format("unknown key {}{}; expected {}{}", in_quotes(word), name_.empty() ? "" : " in " + name_,
+                    one_of(asked_), did_you_mean(word, asked_)));
   }
 }
 

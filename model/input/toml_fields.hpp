@@ -1,13 +1,15 @@
 #pragma once
-// Reading a TOML table key by key, so that every fault is found, placed and explained; for scenes and for studies.
+// Reading a TOML table key by key, so that every fault is found, placed and explained; for scenes and for
+// studies.
 //
 //   Fields fields(table, "[materials.steel]", faults);
 //   const auto young = fields.quantity("young", Need::required, dimension::pressure, Sign::positive);
 //   fields.done();                 // reports the keys that nobody asked for
 //   faults.raise(file);            // at the very end
 //
-// A getter returns nothing when the key is absent or faulty; in the second case, and when a required key is absent, it has
-// added a Fault. So the caller goes on with the rest of the file and never reports the same thing twice.
+// A getter returns nothing when the key is absent or faulty; in the second case, and when a required key is
+// absent, it has added a Fault. So the caller goes on with the rest of the file and never reports the same
+// thing twice.
 
 #include <toml++/toml.h>
 
@@ -16,9 +18,9 @@
 #include <utility>
 #include <vector>
 
-#include "model/numerics/tensor.hpp"
 #include "model/input/faults.hpp"
 #include "model/input/units.hpp"
+#include "model/numerics/tensor.hpp"
 
 namespace femsph {
 
@@ -27,7 +29,8 @@ enum class Sign { any, not_negative, positive };
 
 class Fields {
  public:
-  /// `name` is how messages call the table: "[time]"; empty for the file's top level. The table must outlive the Fields.
+  /// `name` is how messages call the table: "[time]"; empty for the file's top level. The table must outlive
+  /// the Fields.
   Fields(const toml::table& table, std::string name, Faults& faults);
 
   const std::string& name() const { return name_; }
@@ -37,7 +40,8 @@ class Fields {
   bool holds_table(std::string_view key) const { return has(key) && table_->get(key)->is_table(); }
   void fault(std::string_view key, std::string text) const { faults_->add(source(key), std::move(text)); }
 
-  std::optional<std::string> text(const char* key, Need need, const std::string& expected = "a text in quotes");
+  std::optional<std::string> text(const char* key, Need need,
+                                  const std::string& expected = "a text in quotes");
   std::optional<std::vector<std::string>> texts(const char* key, Need need, const std::string& expected);
   /// A plain, finite, dimensionless number.
   std::optional<double> number(const char* key, Need need, const std::string& expected = "a number");
@@ -45,14 +49,19 @@ class Fields {
   std::optional<bool> flag(const char* key, Need need);
   std::optional<int> count(const char* key, Need need, int least, int most);
   /// A number with its unit, in SI.
-  std::optional<double> quantity(const char* key, Need need, const Dimension& dimension, Sign sign = Sign::any);
-  std::optional<std::vector<double>> quantities(const char* key, Need need, const Dimension& dimension, Sign sign = Sign::any);
-  /// A vector of `dim` components in SI; dim 0: two or three will do (the dimension of the scene is itself at fault).
-  std::optional<Point> vector(const char* key, Need need, const Dimension& dimension, int dim, Sign sign = Sign::any);
+  std::optional<double> quantity(const char* key, Need need, const Dimension& dimension,
+                                 Sign sign = Sign::any);
+  std::optional<std::vector<double>> quantities(const char* key, Need need, const Dimension& dimension,
+                                                Sign sign = Sign::any);
+  /// A vector of `dim` components in SI; dim 0: two or three will do (the dimension of the scene is itself at
+  /// fault).
+  std::optional<Point> vector(const char* key, Need need, const Dimension& dimension, int dim,
+                              Sign sign = Sign::any);
   /// `dim` rows of `dim` values each, quantities in SI; plain numbers without a dimension.
   std::optional<std::array<Point, 3>> matrix(const char* key, Need need, const Dimension* dimension, int dim);
   /// Two such vectors: the lower and the upper corner of a box.
-  std::optional<std::pair<Point, Point>> corners(const char* key, Need need, const Dimension& dimension, int dim);
+  std::optional<std::pair<Point, Point>> corners(const char* key, Need need, const Dimension& dimension,
+                                                 int dim);
   /// One of a few words.
   template <class T>
   std::optional<T> choice(const char* key, Need need, const std::vector<std::pair<std::string, T>>& choices);
@@ -61,7 +70,8 @@ class Fields {
   /// The tables of [[key]].
   std::vector<Fields> tables(const char* key);
   /// The tables [key.NAME] with their names, in the order of the file.
-  std::vector<std::pair<std::string, Fields>> named_tables(const char* key, Need need, const std::string& expected);
+  std::vector<std::pair<std::string, Fields>> named_tables(const char* key, Need need,
+                                                           const std::string& expected);
 
   /// Takes a key as known, whatever it holds: a fault elsewhere hides what it should.
   void accept(const char* key) { asked_.emplace_back(key); }
@@ -73,9 +83,11 @@ class Fields {
  private:
   const toml::node* find(const char* key, Need need, const std::string& expected);
   const toml::array* array(const char* key, Need need, const std::string& expected);
-  std::optional<std::vector<double>> read_quantities(const toml::array& list, const char* key, const Dimension& dimension, Sign sign);
+  std::optional<std::vector<double>> read_quantities(const toml::array& list, const char* key,
+                                                     const Dimension& dimension, Sign sign);
   std::optional<Point> to_point(const std::vector<double>& all, const char* key, int dim) const;
-  std::optional<double> read_quantity(const toml::node& node, const char* key, const Dimension& dimension, Sign sign);
+  std::optional<double> read_quantity(const toml::node& node, const char* key, const Dimension& dimension,
+                                      Sign sign);
   void wrong_type(const toml::node& node, const std::string& key, const std::string& expected);
   std::optional<std::size_t> choose(const char* key, Need need, const std::vector<std::string>& words);
 
@@ -86,7 +98,8 @@ class Fields {
 };
 
 template <class T>
-std::optional<T> Fields::choice(const char* key, Need need, const std::vector<std::pair<std::string, T>>& choices) {
+std::optional<T> Fields::choice(const char* key, Need need,
+                                const std::vector<std::pair<std::string, T>>& choices) {
   std::vector<std::string> words;
   for (const auto& [word, value] : choices) words.push_back(word);
   const auto chosen = choose(key, need, words);

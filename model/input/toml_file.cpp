@@ -13,12 +13,14 @@
 namespace femsph {
 namespace {
 
-constexpr std::size_t largest_file = 1 << 24;  // bytes; scenes and studies are written by hand, a load's history of some 100,000 points included
+constexpr std::size_t largest_file = 1 << 24;  // bytes; scenes and studies are written by hand, a load's
+                                               // history of some 100,000 points included
 
-// toml++ bounds the depth of values in brackets, but not of dotted keys: a.a.a. ... nests one table a dot, and
-// destroying a deep tree of tables would overflow the stack. A key fits on one line. In a chain of keys every dot but the first
-// is counted: it either does not sit between two digits, or only characters of a bare key lie between it and the dot before.
-// Decimal points of listed numbers have a comma or a quote between them and are not counted.
+// toml++ bounds the depth of values in brackets, but not of dotted keys: a.a.a. ... nests one table a dot,
+// and destroying a deep tree of tables would overflow the stack. A key fits on one line. In a chain of keys
+// every dot but the first is counted: it either does not sit between two digits, or only characters of a bare
+// key lie between it and the dot before. Decimal points of listed numbers have a comma or a quote between
+// them and are not counted.
 Source too_many_dots(const std::string& text) {
   constexpr int most = 32;
   const auto digit = [&](std::size_t i) { return i < text.size() && text[i] >= '0' && text[i] <= '9'; };
@@ -46,7 +48,9 @@ Source too_many_dots(const std::string& text) {
   throw InputError(file, {Fault{at.line, at.column, std::move(text)}});
 }
 
-[[noreturn]] void refuse_length(const std::string& file) { refuse(file, {}, fmt::format("larger than {} bytes; expected a file written by hand", largest_file)); }
+[[noreturn]] void refuse_length(const std::string& file) {
+  refuse(file, {}, fmt::format("larger than {} bytes; expected a file written by hand", largest_file));
+}
 
 }  // namespace
 
@@ -55,7 +59,8 @@ std::string read_text_file(const std::string& file, const std::string& what, Len
   const auto type = std::filesystem::status(file, status).type();
   if (type == std::filesystem::file_type::not_found) refuse(file, {}, "no such file; expected " + what);
   if (type == std::filesystem::file_type::directory) refuse(file, {}, "is a directory; expected " + what);
-  if (type != std::filesystem::file_type::regular && type != std::filesystem::file_type::none)  // opening a pipe could wait for ever
+  if (type != std::filesystem::file_type::regular &&
+      type != std::filesystem::file_type::none)  // opening a pipe could wait for ever
     refuse(file, {}, "is a pipe or a device; expected " + what);
   std::ifstream in(file, std::ios::binary);
   if (!in) refuse(file, {}, "cannot be read (permission?); expected " + what);
@@ -71,7 +76,8 @@ std::string read_text_file(const std::string& file, const std::string& what, Len
 
 toml::table parse_toml(const std::string& text, const std::string& file) {
   if (text.size() > largest_file) refuse_length(file);
-  if (const Source at = too_many_dots(text); at.line > 0) refuse(file, at, "too many dots in one line; expected a key of a few words");
+  if (const Source at = too_many_dots(text); at.line > 0)
+    refuse(file, at, "too many dots in one line; expected a key of a few words");
   try {
     return toml::parse(text);
   } catch (const toml::parse_error& e) {

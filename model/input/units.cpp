@@ -26,11 +26,15 @@ ut_system* unit_system() {
     ut_set_error_message_handler(ut_ignore);
     return ut_read_xml(nullptr);
   }();
-  if (!system) throw std::invalid_argument("the unit database of UDUNITS-2 could not be read (package libudunits2-data)");
+  if (!system)
+    throw std::invalid_argument(
+        "the unit database of UDUNITS-2 could not be read (package libudunits2-data)");
   return system;
 }
 
-UnitHandle parse_unit(const std::string& text) { return {ut_parse(unit_system(), text.c_str(), UT_UTF8), ut_free}; }
+UnitHandle parse_unit(const std::string& text) {
+  return {ut_parse(unit_system(), text.c_str(), UT_UTF8), ut_free};
+}
 
 std::string_view trimmed(std::string_view s) {
   while (!s.empty() && s.front() == ' ') s.remove_prefix(1);
@@ -47,55 +51,70 @@ struct Written {
 Written split(const std::string& quantity, const std::string& expected) {
   constexpr std::size_t longest = 80;
   if (quantity.size() > longest)
-    throw std::invalid_argument(fmt::format("{} is too long for a quantity; expected {}", in_quotes(quantity), expected));
+    throw std::invalid_argument(
+        fmt::format("{} is too long for a quantity; expected {}", in_quotes(quantity), expected));
   std::string_view rest = trimmed(quantity);
-  if (rest.size() > 1 && rest[0] == '+' && rest[1] != '-') rest.remove_prefix(1);  // from_chars takes no plus sign
+  if (rest.size() > 1 && rest[0] == '+' && rest[1] != '-')
+    rest.remove_prefix(1);  // from_chars takes no plus sign
   double number = 0;
   const auto [end, status] = std::from_chars(rest.data(), rest.data() + rest.size(), number);
   if (status == std::errc::result_out_of_range)
-    throw std::invalid_argument(fmt::format("{} is beyond the range of numbers; expected {}", in_quotes(quantity), expected));
+    throw std::invalid_argument(
+        fmt::format("{} is beyond the range of numbers; expected {}", in_quotes(quantity), expected));
   if (status != std::errc() || !std::isfinite(number))
-    throw std::invalid_argument(fmt::format("{} does not start with a number; expected {}", in_quotes(quantity), expected));
+    throw std::invalid_argument(
+        fmt::format("{} does not start with a number; expected {}", in_quotes(quantity), expected));
   rest = trimmed(rest.substr(end - rest.data()));
-  if (rest.empty()) throw std::invalid_argument(fmt::format("{} has no unit; expected {}", in_quotes(quantity), expected));
+  if (rest.empty())
+    throw std::invalid_argument(fmt::format("{} has no unit; expected {}", in_quotes(quantity), expected));
   return {number, fmt::format("{}{}", rest[0] == '/' ? "1" : "", rest)};
 }
 
 /// The unit has an angle in it, such as rad/s, degree/s or rpm.
 bool has_angle(const ut_unit* unit) {
   char text[256];
-  const int length = ut_format(unit, text, sizeof text, UT_ASCII | UT_DEFINITION);  // "0.10471975511966 rad.s-1"
-  return length > 0 && std::string_view(text, std::min(std::size_t(length), sizeof text)).find("rad") != std::string_view::npos;
+  const int length = ut_format(
+      unit, text, sizeof text, UT_ASCII | UT_DEFINITION);  // "0.10471975511966 rad.s-1"
+  return length > 0 && std::string_view(text, std::min(std::size_t(length), sizeof text)).find("rad") !=
+                           std::string_view::npos;
 }
 
 /// A frequency by name: "Hz", "kHz", "hertz"; or an angle, where none belongs.
-void refuse_ambiguous(const Written& written, const ut_unit* unit, const std::string& quantity, const Dimension& dimension) {
+void refuse_ambiguous(const Written& written, const ut_unit* unit, const std::string& quantity,
+                      const Dimension& dimension) {
   const bool angle = has_angle(unit);
   if (dimension.angle == Dimension::Angle::must && !angle)
-    throw std::invalid_argument(fmt::format("{} is a frequency, of which one per second may mean 1 rad/s or one turn, 2 pi rad/s; expected {} with its unit, such as \"{}\" or \"{:g} rpm\" (turns a minute)",
-                                            in_quotes(quantity), dimension.name, dimension.example, 3000.0));
+    throw std::invalid_argument(fmt::format(
+        "{} is a frequency, of which one per second may mean 1 rad/s or one turn, 2 pi rad/s; "
+        "expected {} with its unit, such as \"{}\" or \"{:g} rpm\" (turns a minute)",
+        in_quotes(quantity), dimension.name, dimension.example, 3000.0));
   if (dimension.angle != Dimension::Angle::foreign_to_rate) return;
   std::string small = written.unit;
   for (char& c : small) c = char(std::tolower(static_cast<unsigned char>(c)));
   if (angle || small.find("hz") != std::string::npos || small.find("hertz") != std::string::npos)
-    throw std::invalid_argument(fmt::format("{} counts turns or angles, which may or may not bring a factor of 2 pi; expected {} with its unit, such as \"{}\"", in_quotes(quantity),
-                                            dimension.name, dimension.example));
+    throw std::invalid_argument(fmt::format(
+        "{} counts turns or angles, which may or may not bring a factor of 2 pi; expected {} "
+        "with its unit, such as \"{}\"",
+        in_quotes(quantity), dimension.name, dimension.example));
 }
 
 bool is_letter(char c) { return std::isalpha((unsigned char)c) || c == '_'; }
 bool is_digit(char c) { return std::isdigit((unsigned char)c); }
 
-// UDUNITS-2 multiplies by any number in a unit, so that "1 500 mm" would be half a metre and "1-2 mm" -2 mm. An exponent follows letters, "^", "**" or a
-// sign after these; "1/s" is the one number that units start with.
+// UDUNITS-2 multiplies by any number in a unit, so that "1 500 mm" would be half a metre and "1-2 mm" -2 mm.
+// An exponent follows letters, "^", "**" or a sign after these; "1/s" is the one number that units start
+// with.
 bool holds_a_number(std::string_view unit) {
   if (unit.starts_with("1/")) unit.remove_prefix(2);
   for (std::size_t i = 0; i < unit.size(); ++i) {
     if (!is_digit(unit[i]) || (i > 0 && is_digit(unit[i - 1]))) continue;
     std::size_t before = i;
     while (before > 0 && (unit[before - 1] == '-' || unit[before - 1] == '+')) --before;
-    const bool power = before > 0 && (unit[before - 1] == '^' || (before > 1 && unit[before - 1] == '*' && unit[before - 2] == '*'));
+    const bool power = before > 0 && (unit[before - 1] == '^' ||
+                                      (before > 1 && unit[before - 1] == '*' && unit[before - 2] == '*'));
     const bool exponent = before > 0 && (is_letter(unit[before - 1]) || unit[before - 1] == ')' || power);
-    const bool one_over = unit[i] == '1' && i + 1 < unit.size() && unit[i + 1] == '/' && i > 0 && unit[i - 1] == '(';
+    const bool one_over = unit[i] == '1' && i + 1 < unit.size() && unit[i + 1] == '/' && i > 0 &&
+                          unit[i - 1] == '(';
     if (!exponent && !one_over) return true;
   }
   return false;
@@ -106,10 +125,14 @@ struct Double {
   const char *word, *what, *instead;
 };
 constexpr Double doubles[] = {
-    {"ton", "the short ton of 907.18 kg here and 1000 kg elsewhere", "\"t\" or \"tonne\" for 1000 kg, \"short_ton\" for 907.18 kg"},
-    {"tons", "short tons of 907.18 kg here and 1000 kg elsewhere", "\"t\" or \"tonne\" for 1000 kg, \"short_ton\" for 907.18 kg"},
-    {"ton_force", "the weight of a short ton here and of 1000 kg elsewhere", "\"kN\", or \"kip\" for 1000 pounds"},
-    {"force_ton", "the weight of a short ton here and of 1000 kg elsewhere", "\"kN\", or \"kip\" for 1000 pounds"},
+    {"ton", "the short ton of 907.18 kg here and 1000 kg elsewhere",
+     "\"t\" or \"tonne\" for 1000 kg, \"short_ton\" for 907.18 kg"},
+    {"tons", "short tons of 907.18 kg here and 1000 kg elsewhere",
+     "\"t\" or \"tonne\" for 1000 kg, \"short_ton\" for 907.18 kg"},
+    {"ton_force", "the weight of a short ton here and of 1000 kg elsewhere",
+     "\"kN\", or \"kip\" for 1000 pounds"},
+    {"force_ton", "the weight of a short ton here and of 1000 kg elsewhere",
+     "\"kN\", or \"kip\" for 1000 pounds"},
 };
 
 /// One of these words stands in the unit, by itself or behind a prefix ("kton", "megaton").
@@ -136,20 +159,26 @@ double to_si(const std::string& quantity, const Dimension& dimension) {
   const std::string expected = expected_quantity(dimension);
   const Written written = split(quantity, expected);
   if (holds_a_number(written.unit))
-    throw std::invalid_argument(fmt::format("{} holds a second number; expected {}", in_quotes(quantity), expected));
+    throw std::invalid_argument(
+        fmt::format("{} holds a second number; expected {}", in_quotes(quantity), expected));
   if (const Double* two = read_in_two_ways(written.unit))
-    throw std::invalid_argument(fmt::format("{} can be read in two ways: \"{}\" is {}; expected {}", in_quotes(quantity), two->word, two->what, two->instead));
+    throw std::invalid_argument(fmt::format("{} can be read in two ways: \"{}\" is {}; expected {}",
+                                            in_quotes(quantity), two->word, two->what, two->instead));
   const UnitHandle unit = parse_unit(written.unit), si = parse_unit(dimension.si);
   if (!unit)
-    throw std::invalid_argument(fmt::format("unknown unit {} in {}; expected {}", in_quotes(written.unit), in_quotes(quantity), expected));
-  const Converter converter(ut_are_convertible(unit.get(), si.get()) ? ut_get_converter(unit.get(), si.get()) : nullptr, cv_free);
+    throw std::invalid_argument(fmt::format(
+        "unknown unit {} in {}; expected {}", in_quotes(written.unit), in_quotes(quantity), expected));
+  const Converter converter(
+      ut_are_convertible(unit.get(), si.get()) ? ut_get_converter(unit.get(), si.get()) : nullptr, cv_free);
   // UDUNITS-2 also converts scales with a shifted origin and logarithms; those are not factors.
   if (!converter || cv_convert_double(converter.get(), 0.0) != 0.0)
-    throw std::invalid_argument(fmt::format("{} is not {}; expected {}", in_quotes(quantity), dimension.name, expected));
+    throw std::invalid_argument(
+        fmt::format("{} is not {}; expected {}", in_quotes(quantity), dimension.name, expected));
   if (dimension.angle != Dimension::Angle::none) refuse_ambiguous(written, unit.get(), quantity, dimension);
   const double value = cv_convert_double(converter.get(), written.number);
   if (value != 0 && !(std::abs(value) >= 1e-60 && std::abs(value) <= 1e60))
-    throw std::invalid_argument(fmt::format("{} is too large or too small to compute with; expected {}", in_quotes(quantity), expected));
+    throw std::invalid_argument(fmt::format(
+        "{} is too large or too small to compute with; expected {}", in_quotes(quantity), expected));
   return value;
 }
 

@@ -10,8 +10,9 @@ struct Dimension {
   const char* si;       ///< the unit in which the program keeps it
   const char* name;     ///< with its article: "a length"
   const char* example;  ///< "10 mm"
-  /// What an angle has to do with it. UDUNITS takes a radian for 1 and a hertz for 1/s, so that "1 Hz" would be a spin of 1 rad/s to it and of
-  /// 2 pi rad/s to most: a quantity that can be read in two ways is refused.
+  /// What an angle has to do with it. UDUNITS takes a radian for 1 and a hertz for 1/s, so that "1 Hz" would
+  /// be a spin of 1 rad/s to it and of 2 pi rad/s to most: a quantity that can be read in two ways is
+  /// refused.
   enum class Angle { none, must, foreign_to_rate } angle = Angle::none;
 };
 
@@ -34,9 +35,10 @@ inline constexpr Dimension density{"kg/m^3", "a density", "7850 kg/m^3"};
 /// "a length with its unit, such as "10 mm"", for messages.
 std::string expected_quantity(const Dimension& dimension);
 
-/// A quantity such as "1000 mm" in SI. The result is finite, and zero or of a magnitude between 1e-60 and 1e60, so that sums,
-/// products and quotients of a few of them neither overflow nor vanish.
-/// Throws std::invalid_argument with a sentence that says what was expected. Not safe from several threads at once (nor is UDUNITS-2).
+/// A quantity such as "1000 mm" in SI. The result is finite, and zero or of a magnitude between 1e-60 and
+/// 1e60, so that sums, products and quotients of a few of them neither overflow nor vanish. Throws
+/// std::invalid_argument with a sentence that says what was expected. Not safe from several threads at once
+/// (nor is UDUNITS-2).
 double to_si(const std::string& quantity, const Dimension& dimension);
 
 /// A unit of the tables: one of it is `factor` SI units.

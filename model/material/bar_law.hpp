@@ -14,14 +14,14 @@ namespace femsph {
 
 /// What a point of a bar remembers.
 struct BarState {
-  double stress = 0;          ///< Pa
+  double stress = 0;  ///< Pa
   double plastic_strain = 0;
-  double equivalent = 0;      ///< sum of |plastic strain increments|
-  double dissipated = 0;      ///< plastic work, J/m^3
+  double equivalent = 0;  ///< sum of |plastic strain increments|
+  double dissipated = 0;  ///< plastic work, J/m^3
 };
 
-/// Uniaxial elastoplasticity with linear isotropic hardening: |sigma| <= yield + H alpha. The return in one dimension is exact
-/// (Simo & Hughes, Computational Inelasticity, box 1.4): d gamma = f_trial / (E + H).
+/// Uniaxial elastoplasticity with linear isotropic hardening: |sigma| <= yield + H alpha. The return in one
+/// dimension is exact (Simo & Hughes, Computational Inelasticity, box 1.4): d gamma = f_trial / (E + H).
 struct BarLaw {
   double young, yield, hardening, density;  ///< Pa, Pa, Pa, kg/m^3
 
@@ -30,8 +30,8 @@ struct BarLaw {
     return {young, p ? p->yield : std::numeric_limits<double>::infinity(), p ? p->hardening : 0.0, density};
   }
 
-  /// Stress of the total strain; advances the state. The plastic work is counted by the trapezoid of stress, as the march counts
-  /// the work of its forces, so that the energy ledger closes.
+  /// Stress of the total strain; advances the state. The plastic work is counted by the trapezoid of stress,
+  /// as the march counts the work of its forces, so that the energy ledger closes.
   double advance(double strain, BarState& s) const {
     const double before = s.stress;
     s.stress = young * (strain - s.plastic_strain);
@@ -47,11 +47,14 @@ struct BarLaw {
   }
   double stress(double strain, const BarState& s) const { return young * (strain - s.plastic_strain); }
   /// Elastic energy, J/m^3.
-  double stored(double strain, const BarState& s) const { return 0.5 * stress(strain, s) * (strain - s.plastic_strain); }
+  double stored(double strain, const BarState& s) const {
+    return 0.5 * stress(strain, s) * (strain - s.plastic_strain);
+  }
 };
 
-/// Stretch of a bar along axis a: the column g = du/dX_a of the displacement gradient gives its strain and the direction in which it
-/// pulls. Small strain: g_a and e_a. Finite rotation: |e_a + g| - 1 and (e_a + g)/|e_a + g|, which are work conjugate.
+/// Stretch of a bar along axis a: the column g = du/dX_a of the displacement gradient gives its strain and
+/// the direction in which it pulls. Small strain: g_a and e_a. Finite rotation: |e_a + g| - 1 and (e_a +
+/// g)/|e_a + g|, which are work conjugate.
 template <class Kinematics, int dim>
 double bar_strain(const double (&g)[dim], int a, double (&pull)[dim]) {
   for (int r = 0; r < dim; ++r) pull[r] = r == a ? 1.0 : 0.0;

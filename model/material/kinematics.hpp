@@ -1,16 +1,19 @@
 #pragma once
-// From the displacement gradient of a material point to its first Piola-Kirchhoff stress: the piece between "gradient" and
-// "divergence" that both solvers share. Total Lagrangian; three kinds of motion:
+// From the displacement gradient of a material point to its first Piola-Kirchhoff stress: the piece between
+// "gradient" and "divergence" that both solvers share. Total Lagrangian; three kinds of motion:
 //   SmallStrain      strain = sym H, P = sigma
-//   FiniteRotation   F = I + H = R U; the law sees U - I in the co-rotated frame and gives its work conjugate T (Biot stress); P = R T.
-//                    Exact under any rigid rotation (see e.g. Ogden, Non-Linear Elastic Deformations, 2.2 and 3.5). For laws with an
-//                    energy, whose T is coaxial with U.
-//   LargeStrain      for laws that carry their stress from step to step: they see the co-rotated rate of deformation, times the step,
+//   FiniteRotation   F = I + H = R U; the law sees U - I in the co-rotated frame and gives its work conjugate
+//   T (Biot stress); P = R T.
+//                    Exact under any rigid rotation (see e.g. Ogden, Non-Linear Elastic Deformations, 2.2
+//                    and 3.5). For laws with an energy, whose T is coaxial with U.
+//   LargeStrain      for laws that carry their stress from step to step: they see the co-rotated rate of
+//   deformation, times the step,
 //                      d = sym(dU Umid^-1),  Umid = (U_n + U_n+1)/2,
-//                    and what they give is the co-rotated Kirchhoff stress tau = J R^T sigma R, which works on d per undeformed volume. So
-//                    a metal's yield stress is (to its small elastic strain of volume) a true stress, and its stretches add up as
-//                    logarithms. The rate of tau is the Green-Naghdi rate (Simo & Hughes, Computational Inelasticity, 8.3).
-//                    P = R tau U^-1, so that P F^T = R tau R^T is symmetric: angular momentum is kept whatever tau.
+//                    and what they give is the co-rotated Kirchhoff stress tau = J R^T sigma R, which works
+//                    on d per undeformed volume. So a metal's yield stress is (to its small elastic strain of
+//                    volume) a true stress, and its stretches add up as logarithms. The rate of tau is the
+//                    Green-Naghdi rate (Simo & Hughes, Computational Inelasticity, 8.3). P = R tau U^-1, so
+//                    that P F^T = R tau R^T is symmetric: angular momentum is kept whatever tau.
 
 #include <type_traits>
 
@@ -22,14 +25,18 @@ namespace femsph {
 /// The law's strain is a difference of two: increments add up, and the law's stress is conjugate to it.
 struct AddedStrain {
   template <class T, int dim>
-  FEMSPH_INLINE static Symmetric<T, dim> increment(const Symmetric<T, dim>& before, const Symmetric<T, dim>& now) {
+  FEMSPH_INLINE static Symmetric<T, dim> increment(const Symmetric<T, dim>& before,
+                                                   const Symmetric<T, dim>& now) {
     Symmetric<T, dim> d;
     for (int k = 0; k < symmetric_size<dim>; ++k) d[k] = now[k] - before[k];
     return d;
   }
   /// The stress that works on the rate of `strain`, of the law's stress.
   template <class T, int dim>
-  FEMSPH_INLINE static Symmetric<T, dim> conjugate(const Symmetric<T, dim>&, const Symmetric<T, dim>& stress) { return stress; }
+  FEMSPH_INLINE static Symmetric<T, dim> conjugate(const Symmetric<T, dim>&,
+                                                   const Symmetric<T, dim>& stress) {
+    return stress;
+  }
 };
 
 struct SmallStrain : AddedStrain {
@@ -45,7 +52,8 @@ struct SmallStrain : AddedStrain {
   }
 
   template <class T, int dim>
-  FEMSPH_INLINE static void piola(const Frame<T, dim>&, const Symmetric<T, dim>&, const Symmetric<T, dim>& s, Tensor<T, dim>& P) {
+  FEMSPH_INLINE static void piola(const Frame<T, dim>&, const Symmetric<T, dim>&, const Symmetric<T, dim>& s,
+                                  Tensor<T, dim>& P) {
     for (int i = 0; i < dim; ++i)
       for (int j = 0; j < dim; ++j) P[i][j] = s(i, j);
   }
@@ -70,13 +78,26 @@ FEMSPH_INLINE Symmetric<T, 3> green(const Tensor<T, 3>& F) {
   return G;
 }
 
-/// The decomposition of F by the series of U^-1 = (1 + G)^-1/2 to G^n, G = F^T F - 1: leaves less than |G|^(n+1)/2. By Cayley and Hamilton's
-/// G^3 = I1 G^2 - I2 G + I3 every power is a sum of 1, G and G^2, so that a term takes three multiplications.
+/// The decomposition of F by the series of U^-1 = (1 + G)^-1/2 to G^n, G = F^T F - 1: leaves less than
+/// |G|^(n+1)/2. By Cayley and Hamilton's G^3 = I1 G^2 - I2 G + I3 every power is a sum of 1, G and G^2, so
+/// that a term takes three multiplications.
 template <int n, class T>
 FEMSPH_INLINE void polar_series(const Tensor<T, 3>& F, const Symmetric<T, 3>& G, Polar<T>& p) {
-  constexpr double c[11] = {0, -1.0 / 2, 3.0 / 8, -5.0 / 16, 35.0 / 128, -63.0 / 256, 231.0 / 1024, -429.0 / 2048, 6435.0 / 32768, -12155.0 / 65536, 46189.0 / 262144};
+  constexpr double c[11] = {
+      0,
+      -1.0 / 2,
+      3.0 / 8,
+      -5.0 / 16,
+      35.0 / 128,
+      -63.0 / 256,
+      231.0 / 1024,
+      -429.0 / 2048,
+      6435.0 / 32768,
+      -12155.0 / 65536,
+      46189.0 / 262144};
   const T xy = G[0] * G[1] - G[3] * G[3], yz = G[1] * G[2] - G[4] * G[4], zx = G[2] * G[0] - G[5] * G[5];
-  const T I1 = trace(G), I2 = xy + yz + zx, I3 = G[0] * yz + G[3] * (G[4] * G[5] - G[3] * G[2]) + G[5] * (G[3] * G[4] - G[1] * G[5]);
+  const T I1 = trace(G), I2 = xy + yz + zx,
+          I3 = G[0] * yz + G[3] * (G[4] * G[5] - G[3] * G[2]) + G[5] * (G[3] * G[4] - G[1] * G[5]);
   T a = broadcast<T>(c[n - 2]), b = broadcast<T>(c[n - 1]), g = broadcast<T>(c[n]);  // a + b G + g G^2
 #pragma GCC unroll 8
   for (int k = n - 3; k >= 0; --k) {
@@ -95,10 +116,12 @@ FEMSPH_INLINE void polar_series(const Tensor<T, 3>& F, const Symmetric<T, 3>& G,
   }
   for (int k = 0; k < 3; ++k) p.shrink[k] += a, p.strain[k] += sa;
   for (int i = 0; i < 3; ++i)
-    for (int j = 0; j < 3; ++j) p.R[i][j] = F[i][j] + (F[i][0] * p.shrink(0, j) + F[i][1] * p.shrink(1, j) + F[i][2] * p.shrink(2, j));
+    for (int j = 0; j < 3; ++j)
+      p.R[i][j] = F[i][j] + (F[i][0] * p.shrink(0, j) + F[i][1] * p.shrink(1, j) + F[i][2] * p.shrink(2, j));
 }
 
-/// Stretches far from 1, where few points are: Newton's X <- (X + X^-T)/2 (Higham 1986) until |G| < 1/2, then the series until one leaves nothing.
+/// Stretches far from 1, where few points are: Newton's X <- (X + X^-T)/2 (Higham 1986) until |G| < 1/2, then
+/// the series until one leaves nothing.
 template <class T>
 [[gnu::noinline]] void polar_far(const Tensor<T, 3>& F, Polar<T>& p) {
   p.R = F;
@@ -130,7 +153,8 @@ template <class T>
   for (int k = 0; k < 3; ++k) p.shrink[k] -= 1.0;
 }
 
-/// Ends when the error is below 1e-16 in every lane: the series to G^4 for stretches up to 0.04 %, to G^10 up to 1.9 %.
+/// Ends when the error is below 1e-16 in every lane: the series to G^4 for stretches up to 0.04 %, to G^10 up
+/// to 1.9 %.
 template <class T>
 FEMSPH_INLINE void polar(const Tensor<T, 3>& F, Polar<T>& p) {
   const Symmetric<T, 3> G = green(F);
@@ -190,7 +214,8 @@ struct FiniteRotation : AddedStrain {
   }
 
   template <class T, int dim>
-  FEMSPH_INLINE static void piola(const Frame<T, dim>& R, const Symmetric<T, dim>&, const Symmetric<T, dim>& s, Tensor<T, dim>& P) {
+  FEMSPH_INLINE static void piola(const Frame<T, dim>& R, const Symmetric<T, dim>&,
+                                  const Symmetric<T, dim>& s, Tensor<T, dim>& P) {
     for (int i = 0; i < dim; ++i)
       for (int j = 0; j < dim; ++j) {
         T p = R[i][0] * s(0, j);
@@ -226,9 +251,11 @@ struct LargeStrain {
     return frame;
   }
 
-  /// The midpoint rule: over a stretch by 1 + x in one step it errs by x^3/12, over a path by the square of the step.
+  /// The midpoint rule: over a stretch by 1 + x in one step it errs by x^3/12, over a path by the square of
+  /// the step.
   template <class T, int dim>
-  FEMSPH_INLINE static Symmetric<T, dim> increment(const Symmetric<T, dim>& before, const Symmetric<T, dim>& now) {
+  FEMSPH_INLINE static Symmetric<T, dim> increment(const Symmetric<T, dim>& before,
+                                                   const Symmetric<T, dim>& now) {
     Symmetric<T, dim> d, middle;
     for (int k = 0; k < symmetric_size<dim>; ++k) {
       d[k] = now[k] - before[k];
@@ -238,12 +265,14 @@ struct LargeStrain {
   }
   /// sym(U^-1 tau): the Biot stress.
   template <class T, int dim>
-  FEMSPH_INLINE static Symmetric<T, dim> conjugate(const Symmetric<T, dim>& strain, const Symmetric<T, dim>& stress) {
+  FEMSPH_INLINE static Symmetric<T, dim> conjugate(const Symmetric<T, dim>& strain,
+                                                   const Symmetric<T, dim>& stress) {
     return symmetric_product(stress, inverse_stretch(strain));
   }
 
   template <class T, int dim>
-  FEMSPH_INLINE static void piola(const Frame<T, dim>& R, const Symmetric<T, dim>&, const Symmetric<T, dim>& s, Tensor<T, dim>& P) {
+  FEMSPH_INLINE static void piola(const Frame<T, dim>& R, const Symmetric<T, dim>&,
+                                  const Symmetric<T, dim>& s, Tensor<T, dim>& P) {
     Tensor<T, dim> B;
     for (int i = 0; i < dim; ++i)
       for (int j = 0; j < dim; ++j) {
@@ -265,10 +294,12 @@ using LargeMotion = std::conditional_t<LawType::path_independent, FiniteRotation
 
 /// Laws that are another one in small strain; no kernel is made for them there.
 template <class LawType>
-concept LargeMotionOnly = requires { LawType::large_motion_only; };
+concept LargeMotionOnly = requires {
+  LawType::large_motion_only;
+};
 
-/// Doubles of state that a material point of this law keeps between steps: nothing if the stress follows from the strain,
-/// else stress, strain and the law's own history.
+/// Doubles of state that a material point of this law keeps between steps: nothing if the stress follows from
+/// the strain, else stress, strain and the law's own history.
 template <class LawType, int dim>
 inline constexpr int point_state_size =
     LawType::path_independent ? 0 : 2 * symmetric_size<dim> + LawType::template history_size<dim>;
@@ -283,23 +314,29 @@ constexpr bool often_read(int slot) {
 /// Where the law's own history stands in that state.
 template <class LawType, int dim, class T>
 FEMSPH_INLINE T* history_of(T* state) {
-  if constexpr (LawType::path_independent) return nullptr;
-  else return state + 2 * symmetric_size<dim>;
+  if constexpr (LawType::path_independent)
+    return nullptr;
+  else
+    return state + 2 * symmetric_size<dim>;
 }
 
-/// strain -> stress of one material point (or of eight): reads and advances `state` (point_state_size<LawType, dim> values).
+/// strain -> stress of one material point (or of eight): reads and advances `state`
+/// (point_state_size<LawType, dim> values).
 template <class LawType, class T, int dim, class Kinematics = SmallStrain>
-FEMSPH_INLINE Symmetric<T, dim> advance_law(const LawType& law, const Symmetric<T, dim>& strain, [[maybe_unused]] T* state) {
+FEMSPH_INLINE Symmetric<T, dim> advance_law(const LawType& law, const Symmetric<T, dim>& strain,
+                                            [[maybe_unused]] T* state) {
   if constexpr (LawType::path_independent) {
     return law.stress(strain);
   } else {
     constexpr int n = symmetric_size<dim>;
-    // The state is the bulk of what such a law reads and writes, and its lines come in bursts that the processor does not foresee:
-    // ask for the point after the next (beyond the end of the array a prefetch does nothing).
+    // The state is the bulk of what such a law reads and writes, and its lines come in bursts that the
+    // processor does not foresee: ask for the point after the next (beyond the end of the array a prefetch
+    // does nothing).
     constexpr int size = point_state_size<LawType, dim>;
     if constexpr (lanes_of<T> == lanes) {
       const T* ahead = state;
-      asm("" : "+r"(ahead));  // hides from the compiler's warnings that the next line may point beyond the array
+      asm(""
+          : "+r"(ahead));  // hides from the compiler's warnings that the next line may point beyond the array
       ahead += 2 * size;
       for (int k = 0; k < size; ++k)
         if (often_read<LawType>(k - 2 * n)) __builtin_prefetch(ahead + k, 1);

@@ -1,5 +1,6 @@
 #pragma once
-// Constitutive laws: plain structs, parameters in, stress out; they know no solver. README.md in this folder lists them.
+// Constitutive laws: plain structs, parameters in, stress out; they know no solver. README.md in this folder
+// lists them.
 //
 // A law works in the co-rotated frame of a material point. It offers
 //   history_size<dim>      how many doubles of history a point carries (0: none is allocated),
@@ -9,12 +10,12 @@
 //                          a strain increment carries stress and history from one step to the next,
 //   elastic()              its elastic part (for the critical step and hourglass stiffness),
 //   stored_energy(strain, stress, history)   J/m^3,
-//   thickness_stress(strain, stress, history), thickness_strain(strain, stress, history)   what happens across the plane in 2D,
-//   set_step(dt)           only if it depends on the rate of strain: the step that comes, s,
-//   seldom                 only if few steps read one slot of its history: which,
-//   stiffening(g, J)       only if its tangent grows with the deformation: stiffening.hpp,
-//   large_motion_only      only if it is made for large motion alone,
-//   plastic_strain(history), plastic_work(history)   only if not path_independent: equivalent plastic strain; work not stored, J/m^3;
+//   thickness_stress(strain, stress, history), thickness_strain(strain, stress, history)   what happens
+//   across the plane in 2D, set_step(dt)           only if it depends on the rate of strain: the step that
+//   comes, s, seldom                 only if few steps read one slot of its history: which, stiffening(g, J)
+//   only if its tangent grows with the deformation: stiffening.hpp, large_motion_only      only if it is made
+//   for large motion alone, plastic_strain(history), plastic_work(history)   only if not path_independent:
+//   equivalent plastic strain; work not stored, J/m^3;
 //                          and beside the law a function flow_stress(law, history, ..): flow_stress.hpp.
 // Strain and stress are Symmetric<T, dim>: tensor components, Pa. T is double or Pack.
 

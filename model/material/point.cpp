@@ -7,9 +7,9 @@
 #include <cmath>
 #include <sstream>
 
+#include "model/input/faults.hpp"
 #include "model/material/kinematics.hpp"
 #include "model/material/laws/point_stress.hpp"
-#include "model/input/faults.hpp"
 
 namespace femsph {
 
@@ -19,8 +19,10 @@ template <int dim, class LawType>
 PointState step(const LawType& law, const std::array<double, 6>& g, double* state) {
   static_assert(point_state_size<LawType, dim> <= 16);
   Symmetric<double, dim> strain;
-  if constexpr (dim == 2) strain = {g[0], g[1], 0.5 * g[3]};
-  else strain = {g[0], g[1], g[2], 0.5 * g[3], 0.5 * g[4], 0.5 * g[5]};
+  if constexpr (dim == 2)
+    strain = {g[0], g[1], 0.5 * g[3]};
+  else
+    strain = {g[0], g[1], g[2], 0.5 * g[3], 0.5 * g[4], 0.5 * g[5]};
   const Symmetric<double, dim> s = advance_law<LawType, double, dim>(law, strain, state);
   const double* history = history_of<LawType, dim>(state);
   PointState out;
@@ -64,9 +66,12 @@ std::vector<int> columns_of(const std::vector<std::string>& header, const std::s
   for (std::size_t k = 0; k < header.size(); ++k) {
     const auto found = std::find(known.begin(), known.end(), header[k]);
     if (found == known.end())
-      refuse(file, 1, int(k) + 1, fmt::format("column {} of the path is {}; expected {}{}", k + 1, in_quotes(header[k]), one_of(known), did_you_mean(header[k], known)));
+      refuse(file, 1, int(k) + 1,
+             fmt::format("column {} of the path is {}; expected {}{}", k + 1, in_quotes(header[k]),
+                         one_of(known), did_you_mean(header[k], known)));
     const int column = path_components(plane)[std::size_t(found - known.begin())];
-    if (std::count(columns.begin(), columns.end(), column)) refuse(file, 1, int(k) + 1, fmt::format("column {} is given twice", in_quotes(header[k])));
+    if (std::count(columns.begin(), columns.end(), column))
+      refuse(file, 1, int(k) + 1, fmt::format("column {} is given twice", in_quotes(header[k])));
     columns.push_back(column);
   }
   return columns;
@@ -79,18 +84,23 @@ MaterialPoint::MaterialPoint(const Law& law) : law_(law) {}
 PointState MaterialPoint::advance(const std::array<double, 6>& strain) {
   return std::visit(
       [&](const auto& law) {
-        return law.elastic().plane == Plane::none ? step<3>(law, strain, state_.data()) : step<2>(law, strain, state_.data());
+        return law.elastic().plane == Plane::none ? step<3>(law, strain, state_.data())
+                                                  : step<2>(law, strain, state_.data());
       },
       law_);
 }
 
-std::vector<int> path_components(Plane plane) { return plane == Plane::none ? std::vector<int>{0, 1, 2, 3, 4, 5} : std::vector<int>{0, 1, 3}; }
+std::vector<int> path_components(Plane plane) {
+  return plane == Plane::none ? std::vector<int>{0, 1, 2, 3, 4, 5} : std::vector<int>{0, 1, 3};
+}
 
 std::vector<std::array<double, 6>> read_path(const std::string& text, const std::string& file, Plane plane) {
   std::vector<std::array<double, 6>> path;
   std::vector<int> columns;
-  if (text.starts_with("\xff\xfe") || text.starts_with("\xfe\xff")) refuse(file, 1, 1, "is UTF-16; expected plain text or UTF-8, as \"CSV UTF-8\" is saved");
-  std::stringstream in(text.starts_with("\xef\xbb\xbf") ? text.substr(3) : text);  // less the mark that spreadsheets put first
+  if (text.starts_with("\xff\xfe") || text.starts_with("\xfe\xff"))
+    refuse(file, 1, 1, "is UTF-16; expected plain text or UTF-8, as \"CSV UTF-8\" is saved");
+  std::stringstream in(
+      text.starts_with("\xef\xbb\xbf") ? text.substr(3) : text);  // less the mark that spreadsheets put first
   std::string line;
   for (int number = 1; std::getline(in, line); ++number) {
     const std::vector<std::string> cells = cells_of(line);
@@ -99,7 +109,9 @@ std::vector<std::array<double, 6>> read_path(const std::string& text, const std:
       continue;
     }
     if (cells.empty() || (cells.size() == 1 && cells[0].empty())) continue;
-    if (cells.size() != columns.size()) refuse(file, number, 1, fmt::format("{} values; expected {}, as in the header", cells.size(), columns.size()));
+    if (cells.size() != columns.size())
+      refuse(file, number, 1,
+             fmt::format("{} values; expected {}, as in the header", cells.size(), columns.size()));
     std::array<double, 6> strain{};
     for (std::size_t k = 0; k < cells.size(); ++k) {
       double value = 0;
@@ -107,12 +119,15 @@ std::vector<std::array<double, 6>> read_path(const std::string& text, const std:
       if (end - begin > 1 && begin[0] == '+' && begin[1] != '-') ++begin;  // from_chars takes no plus sign
       const auto [stop, error] = std::from_chars(begin, end, value);
       if (error != std::errc() || stop != end || !std::isfinite(value))
-        refuse(file, number, int(k) + 1, fmt::format("value {} is {}; expected a number (a strain, such as 1e-3)", k + 1, in_quotes(cells[k])));
+        refuse(file, number, int(k) + 1,
+               fmt::format(
+                   "value {} is {}; expected a number (a strain, such as 1e-3)", k + 1, in_quotes(cells[k])));
       strain[std::size_t(columns[k])] = value;
     }
     path.push_back(strain);
   }
-  if (path.empty()) refuse(file, 1, 1, "no strain in the path; expected a header such as exx,eyy,gxy and one row a step");
+  if (path.empty())
+    refuse(file, 1, 1, "no strain in the path; expected a header such as exx,eyy,gxy and one row a step");
   return path;
 }
 
@@ -132,7 +147,8 @@ std::string point_csv(const Law& law, Plane plane, const std::vector<std::array<
     for (std::size_t c : strains) text += fmt::format("{:.17g},", strain[c]);
     if (plane == Plane::stress) text += fmt::format("{:.17g},", now.strain_across);
     for (std::size_t c : stresses) text += fmt::format("{:.17g},", now.stress[c]);
-    text += fmt::format("{:.17g},{:.17g},{:.17g},{:.17g}\n", now.equivalent, now.plastic_strain, now.plastic_work, now.stored_energy);
+    text += fmt::format("{:.17g},{:.17g},{:.17g},{:.17g}\n", now.equivalent, now.plastic_strain,
+                        now.plastic_work, now.stored_energy);
   }
   return text;
 }

@@ -22,7 +22,8 @@ struct PointState {
 class MaterialPoint {
  public:
   explicit MaterialPoint(const Law& law);
-  /// Goes in one step to the total strain exx eyy ezz gxy gyz gzx (engineering shear g = 2 e). In 2D only exx, eyy, gxy count.
+  /// Goes in one step to the total strain exx eyy ezz gxy gyz gzx (engineering shear g = 2 e). In 2D only
+  /// exx, eyy, gxy count.
   PointState advance(const std::array<double, 6>& strain);
 
  private:
@@ -38,7 +39,8 @@ inline constexpr std::array<const char*, 6> path_names{"exx", "eyy", "ezz", "gxy
 /// Throws InputError with the line.
 std::vector<std::array<double, 6>> read_path(const std::string& text, const std::string& file, Plane plane);
 
-/// The answer as CSV: the path's strains, stress, equivalent stress and plastic strain, ezz, plastic work and stored energy.
+/// The answer as CSV: the path's strains, stress, equivalent stress and plastic strain, ezz, plastic work and
+/// stored energy.
 std::string point_csv(const Law& law, Plane plane, const std::vector<std::array<double, 6>>& path);
 
 }  // namespace femsph

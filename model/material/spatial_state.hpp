@@ -9,12 +9,13 @@
 
 namespace femsph {
 
-/// Co-rotated Cauchy stress R^T sigma R of the law's stress. `normal_stress` and `normal_strain` are the law's across the plane in 2D, and leave as
-/// Cauchy stress and as stretch - 1; J includes that stretch.
+/// Co-rotated Cauchy stress R^T sigma R of the law's stress. `normal_stress` and `normal_strain` are the
+/// law's across the plane in 2D, and leave as Cauchy stress and as stretch - 1; J includes that stretch.
 ///   FiniteRotation   of the Biot stress T: sigma = P F^T / J = R (T U) R^T / J, symmetrised
 ///   LargeStrain      of the Kirchhoff stress tau: sigma = R tau R^T / J; the strain across is logarithmic
 template <class Kinematics, int dim>
-Symmetric<double, dim> corotated_cauchy(const Symmetric<double, dim>& strain, const Symmetric<double, dim>& stress, double& normal_stress,
+Symmetric<double, dim> corotated_cauchy(const Symmetric<double, dim>& strain,
+                                        const Symmetric<double, dim>& stress, double& normal_stress,
                                         double& normal_strain) {
   Symmetric<double, dim> s = stress;
   if constexpr (std::is_same_v<Kinematics, SmallStrain>) return s;
@@ -32,11 +33,13 @@ Symmetric<double, dim> corotated_cauchy(const Symmetric<double, dim>& strain, co
   return s;
 }
 
-/// H: displacement gradient; stress, strain: in the law's frame; history: the law's own, null if it has none. Six components xx yy zz xy yz zx out, thickness direction included.
-/// In large motion the stress is Cauchy's and the strain is turned to space, R (U - I) R^T.
+/// H: displacement gradient; stress, strain: in the law's frame; history: the law's own, null if it has none.
+/// Six components xx yy zz xy yz zx out, thickness direction included. In large motion the stress is Cauchy's
+/// and the strain is turned to space, R (U - I) R^T.
 template <class Kinematics, class LawType, int dim>
-void spatial_state(const LawType& law, const Tensor<double, dim>& H, Symmetric<double, dim> stress, Symmetric<double, dim> strain,
-                   [[maybe_unused]] const double* history, std::array<double, 6>& stress_out, std::array<double, 6>& strain_out) {
+void spatial_state(const LawType& law, const Tensor<double, dim>& H, Symmetric<double, dim> stress,
+                   Symmetric<double, dim> strain, [[maybe_unused]] const double* history,
+                   std::array<double, 6>& stress_out, std::array<double, 6>& strain_out) {
   double szz = 0, ezz = 0;
   if constexpr (dim == 2) {
     szz = law.thickness_stress(strain, stress, history);

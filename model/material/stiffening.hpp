@@ -1,5 +1,6 @@
 #pragma once
-// How much stiffer than undeformed a material point has become: what a step that follows the deformation goes by (motion/march_step.cpp).
+// How much stiffer than undeformed a material point has become: what a step that follows the deformation goes
+// by (motion/march_step.cpp).
 
 #include <concepts>
 #include <limits>
@@ -8,15 +9,16 @@
 
 namespace femsph {
 
-/// Laws whose tangent by the deformation gradient grows as they deform: they offer stiffening(g, J), a bound on the ratio of its largest
-/// stiffness to the undeformed one, with 1/sqrt(g) the smallest principal stretch and J the ratio of volumes (in 2D of areas).
+/// Laws whose tangent by the deformation gradient grows as they deform: they offer stiffening(g, J), a bound
+/// on the ratio of its largest stiffness to the undeformed one, with 1/sqrt(g) the smallest principal stretch
+/// and J the ratio of volumes (in 2D of areas).
 template <class LawType>
 concept Stiffens = requires(const LawType& law, double x) {
   { law.stiffening(x, x) } -> std::same_as<double>;
 };
 
-/// Largest eigenvalue of a symmetric matrix, or a bound above it: exact in the plane; in space mean + 2 sqrt(J2 / 3), exact where the two smaller
-/// ones are equal (a point crushed along one axis, or not at all).
+/// Largest eigenvalue of a symmetric matrix, or a bound above it: exact in the plane; in space mean + 2
+/// sqrt(J2 / 3), exact where the two smaller ones are equal (a point crushed along one axis, or not at all).
 template <class T, int dim>
 FEMSPH_INLINE T largest_eigenvalue_bound(const Symmetric<T, dim>& B) {
   if constexpr (dim == 2) {
@@ -39,7 +41,8 @@ FEMSPH_INLINE T stiffening(const LawType& law, const Tensor<T, dim>& inverse, co
       for (int k = 1; k < dim; ++k) s += inverse[i][k] * inverse[j][k];
       B(i, j) = s;
     }
-  return select(J > 0.0, law.stiffening(largest_eigenvalue_bound(B), J), broadcast<T>(std::numeric_limits<double>::infinity()));
+  return select(J > 0.0, law.stiffening(largest_eigenvalue_bound(B), J),
+                broadcast<T>(std::numeric_limits<double>::infinity()));
 }
 
 }  // namespace femsph

@@ -30,7 +30,8 @@ void add_inertia(const March& march, const MovingBody& body, Sum& sum) {
     Point f{};
     for (int c = 0; c < at.dim; ++c) {
       const std::size_t slot = at.at(i, c);
-      if (body.inverse_mass[slot] > 0) f[c] = body.viscous.empty() ? body.f[slot] : body.f[slot] + body.viscous[slot];
+      if (body.inverse_mass[slot] > 0)
+        f[c] = body.viscous.empty() ? body.f[slot] : body.f[slot] + body.viscous[slot];
     }
     sum.add(place_of(march, body, i), f, 1);
   }
@@ -53,8 +54,10 @@ void add_loads(const March& march, const MovingBody& body, Sum& sum) {
     sum.add(place_of(march, body, point), f, -1);
     if (scene.loads[load.load].pressure == 0) nodal = nodal + f;
   }
-  for (const Load& load : scene.loads)  // the total that the scene gives, where the shares do not add up to it
-    if (load.place.body == body.index && load.pressure == 0) nodal = nodal - load.history.at(march.time()) * load.force;
+  for (const Load& load :
+       scene.loads)  // the total that the scene gives, where the shares do not add up to it
+    if (load.place.body == body.index && load.pressure == 0)
+      nodal = nodal - load.history.at(march.time()) * load.force;
   sum.force = sum.force + nodal;
   if (!scene.gravity) return;
   for (std::size_t i = 0; i < at.points; ++i) {

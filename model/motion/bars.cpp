@@ -11,7 +11,10 @@ namespace femsph {
 namespace {
 
 [[noreturn]] void refuse(const Bar& bar) {
-  throw Refusal(fmt::format("bar {} finds no rows of points along it: bars need a regular grid of particles or elements along their axis", bar.name));
+  throw Refusal(fmt::format(
+      "bar {} finds no rows of points along it: bars need a regular grid of particles or "
+      "elements along their axis",
+      bar.name));
 }
 
 /// A coordinate across the bar, and the share of its area that goes there.
@@ -33,7 +36,9 @@ std::vector<Share> shares_across(const Bar& bar, int a, std::span<const Point> p
   return {{below, (above - x) / (above - below)}, {above, (x - below) / (above - below)}};
 }
 
-double overlap(double a, double b, double c, double d) { return std::max(0.0, std::min(b, d) - std::max(a, c)); }
+double overlap(double a, double b, double c, double d) {
+  return std::max(0.0, std::min(b, d) - std::max(a, c));
+}
 
 /// The points of the row, in order, and how much of the bar each of them and each gap holds.
 void fill_row(BarRow& row, const Bar& bar, std::span<const Point> points, int dim, double tolerance) {
@@ -43,13 +48,15 @@ void fill_row(BarRow& row, const Bar& bar, std::span<const Point> points, int di
     for (int c = 0; c < dim; ++c) on = on && (c == a || std::abs(points[i][c] - row.at[c]) <= tolerance);
     if (on) row.points.push_back(i);
   }
-  std::sort(row.points.begin(), row.points.end(), [&](std::size_t i, std::size_t j) { return points[i][a] < points[j][a]; });
+  std::sort(row.points.begin(), row.points.end(),
+            [&](std::size_t i, std::size_t j) { return points[i][a] < points[j][a]; });
   if (row.points.size() < 2) refuse(bar);
   const double begin = std::min(bar.from[a], bar.to[a]), end = std::max(bar.from[a], bar.to[a]);
   const auto x = [&](std::size_t k) { return points[row.points[k]][a]; };
   const std::size_t last = row.points.size() - 1;
   for (std::size_t k = 0; k <= last; ++k) {
-    const double low = k == 0 ? x(0) : 0.5 * (x(k - 1) + x(k)), high = k == last ? x(last) : 0.5 * (x(k) + x(k + 1));
+    const double low = k == 0 ? x(0) : 0.5 * (x(k - 1) + x(k)),
+                 high = k == last ? x(last) : 0.5 * (x(k) + x(k + 1));
     row.length.push_back(overlap(low, high, begin, end));
     if (k == last) break;
     row.gap.push_back(x(k + 1) - x(k));
@@ -63,7 +70,8 @@ void fill_row(BarRow& row, const Bar& bar, std::span<const Point> points, int di
 
 }  // namespace
 
-std::vector<BarRow> bar_rows(const Scene& scene, std::size_t body, std::span<const Point> points, double tolerance) {
+std::vector<BarRow> bar_rows(const Scene& scene, std::size_t body, std::span<const Point> points,
+                             double tolerance) {
   std::vector<BarRow> rows;
   for (std::size_t b = 0; b < scene.bars.size(); ++b) {
     const Bar& bar = scene.bars[b];
@@ -72,7 +80,8 @@ std::vector<BarRow> bar_rows(const Scene& scene, std::size_t body, std::span<con
     const BarLaw law = BarLaw::make(material.young, material.density, material.plasticity);
     const int dim = scene.dim(), a = bar.axis(), across = dim == 3 ? (a + 1) % 3 : 1 - a;
     for (const Share& one : shares_across(bar, across, points, tolerance)) {
-      const std::vector<Share> others = dim == 3 ? shares_across(bar, (a + 2) % 3, points, tolerance) : std::vector<Share>{{0, 1}};
+      const std::vector<Share> others = dim == 3 ? shares_across(bar, (a + 2) % 3, points, tolerance)
+                                                 : std::vector<Share>{{0, 1}};
       for (const Share& other : others) {
         BarRow row{b, a, bar.area * one.share * other.share, law, {}, {}, {}, {}, {}};
         row.at[std::size_t(across)] = one.at;

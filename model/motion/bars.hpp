@@ -1,6 +1,6 @@
 #pragma once
-// Which points of a discretization carry a bar. A bar between two rows of points is shared by them in inverse proportion to their
-// distances, so that its force acts at the right height on any mesh.
+// Which points of a discretization carry a bar. A bar between two rows of points is shared by them in inverse
+// proportion to their distances, so that its force acts at the right height on any mesh.
 
 #include <span>
 #include <string>
@@ -14,9 +14,9 @@ namespace femsph {
 
 /// A row of points along a bar, and the share of the bar that it carries.
 struct BarRow {
-  std::size_t bar;                  ///< index into Scene::bars
+  std::size_t bar;  ///< index into Scene::bars
   int axis;
-  double area;                      ///< m^2
+  double area;  ///< m^2
   BarLaw law;
   Point at{};                       ///< where the row is across the axis, m
   std::vector<std::size_t> points;  ///< along the axis
@@ -27,7 +27,8 @@ struct BarRow {
 
 /// The rows that carry the bars of one body. `tolerance`: how far a point of a row may lie beside it, m.
 /// Throws std::runtime_error with one sentence if no rows lie along a bar.
-std::vector<BarRow> bar_rows(const Scene& scene, std::size_t body, std::span<const Point> points, double tolerance);
+std::vector<BarRow> bar_rows(const Scene& scene, std::size_t body, std::span<const Point> points,
+                             double tolerance);
 
 /// What the bars' laws remember: the member `state` of every truss or piece.
 template <class Piece>

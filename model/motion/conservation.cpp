@@ -10,14 +10,16 @@ namespace femsph {
 
 Conservation::Conservation(const March& march) {
   const Scene& scene = march.scene();
-  free_ = scene.loads.empty() && scene.supports.empty() && scene.symmetries.empty() && !scene.gravity && !scene.damping && !scene.settling;
+  free_ = scene.loads.empty() && scene.supports.empty() && scene.symmetries.empty() && !scene.gravity &&
+          !scene.damping && !scene.settling;
   double mass = 0;
   const auto add = [&](const Point& x, double m) {
     mass += m;
     centre_ = centre_ + m * x;
   };
   for (const MovingBody& body : march.bodies())
-    for (std::size_t i = 0; i < body.discretization->layout().points; ++i) add(body.discretization->position(i), body.discretization->mass()[i]);
+    for (std::size_t i = 0; i < body.discretization->layout().points; ++i)
+      add(body.discretization->position(i), body.discretization->mass()[i]);
   for (const RigidBody& body : march.rigid_bodies()) add(body.start, body.mass);
   centre_ = (1 / mass) * centre_;
 }
@@ -59,8 +61,10 @@ void Conservation::sample(const March& march) {
   energy_ = std::max({energy_, l.stored(), l.initial + std::abs(l.external)});
   hourglass_ = std::max(hourglass_, l.hourglass);
   internal_ = std::max(internal_, l.strain + l.hourglass + l.plastic);
-  if (free_) sample_free(march);
-  else samples_.push_back({l.strain + l.hourglass, march.force_imbalance(), march.moment_imbalance()});
+  if (free_)
+    sample_free(march);
+  else
+    samples_.push_back({l.strain + l.hourglass, march.force_imbalance(), march.moment_imbalance()});
 }
 
 Drift Conservation::drift() const {

@@ -13,12 +13,14 @@ struct Drift {
   double energy = 0;            ///< largest |Ledger::imbalance| over the largest energy of the run
   double momentum = 0;          ///< see Conservation
   double angular_momentum = 0;  ///< see Conservation
-  double hourglass = 0;         ///< largest hourglass energy over the largest internal energy (strain, hourglass, plastic work)
+  double hourglass =
+      0;  ///< largest hourglass energy over the largest internal energy (strain, hourglass, plastic work)
 };
 
-/// Looks at a march at its samples. In a scene without loads, gravity and supports the momenta are those of all bodies at a whole step and
-/// their drift is the largest change since the start over the largest sum of magnitudes, sum m |v| and sum m |x - x0||v| (x0: the centre of
-/// mass at the start). Else the outside pushes too, and what tells is whether the internal forces of each body add up to zero: the largest
+/// Looks at a march at its samples. In a scene without loads, gravity and supports the momenta are those of
+/// all bodies at a whole step and their drift is the largest change since the start over the largest sum of
+/// magnitudes, sum m |v| and sum m |x - x0||v| (x0: the centre of mass at the start). Else the outside pushes
+/// too, and what tells is whether the internal forces of each body add up to zero: the largest
 /// March::force_imbalance and moment_imbalance of the samples that hold at least 1e-6 of the largest energy.
 class Conservation {
  public:

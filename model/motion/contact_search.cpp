@@ -1,4 +1,5 @@
-// Which points are near which facets. Done when something may have moved by more than the skin since the last time.
+// Which points are near which facets. Done when something may have moved by more than the skin since the last
+// time.
 
 #include <fmt/format.h>
 
@@ -8,8 +9,8 @@
 #include "model/motion/contact.hpp"
 #include "model/motion/march.hpp"
 #include "model/motion/overlap.hpp"
-#include "model/numerics/vectors.hpp"
 #include "model/numerics/box_grid.hpp"
+#include "model/numerics/vectors.hpp"
 
 namespace femsph {
 
@@ -94,7 +95,8 @@ void ContactPair::search(Bodies bodies, Pass& pass) {
     const std::size_t first = list.size();
     const auto take = [&](int piece) {
       const Stand s = stand(bodies, pass, piece, own.now[p]);
-      if (std::abs(s.gap) <= reach && s.beyond <= skin_ + overhang_ && dot(own.area[p], s.normal) < 0) list.push_back(piece);
+      if (std::abs(s.gap) <= reach && s.beyond <= skin_ + overhang_ && dot(own.area[p], s.normal) < 0)
+        list.push_back(piece);
     };
     if (!holds(near, own.now[p])) {
       pass.holds[p] = {};
@@ -128,11 +130,13 @@ void ContactPair::mark_active() {
         for (const std::size_t p : pass.points) used[p] = 1;
       else
         for (const int piece : pass.pieces)
-          for (int c = 0; c < 2 * (surface.dim - 1); ++c) used[surface.facets[std::size_t(piece)].points[c]] = 1;
+          for (int c = 0; c < 2 * (surface.dim - 1); ++c)
+            used[surface.facets[std::size_t(piece)].points[c]] = 1;
       if (pass.from == s) continue;
       for (const std::size_t k : pass.points)  // and what is held from before
         if (pass.holds[k].piece >= 0)
-          for (int c = 0; c < 2 * (surface.dim - 1); ++c) used[surface.facets[std::size_t(pass.holds[k].piece)].points[c]] = 1;
+          for (int c = 0; c < 2 * (surface.dim - 1); ++c)
+            used[surface.facets[std::size_t(pass.holds[k].piece)].points[c]] = 1;
     }
     surface.active.clear();
     for (std::size_t p = 0; p < used.size(); ++p)
@@ -146,16 +150,23 @@ void ContactPair::refuse_overlap(Bodies bodies) const {
   const int first = sides_[0].party.rigid ? 1 : 0;  // one that deforms
   const Surface& surface = sides_[first].surface[0];
   const Side& other = sides_[1 - first];
-  const auto found = other.party.rigid ? overlap_of(surface, *bodies.rigid[other.party.index].shape, tolerance) : overlap_of(surface, other.surface[0], tolerance);
+  const auto found = other.party.rigid
+                         ? overlap_of(surface, *bodies.rigid[other.party.index].shape, tolerance)
+                         : overlap_of(surface, other.surface[0], tolerance);
   if (!found) return;
   const auto is_round = [&](std::size_t body) {
     const Shape& shape = *scene_.bodies[body].shape;
     return !shape.cells() && !dynamic_cast<const Box*>(&shape);
   };
-  std::string what = found->depth > 0 ? fmt::format("the bodies overlap by {:.4g} mm at the start", 1e3 * found->depth) : "the bodies cross each other at the start";
+  std::string what = found->depth > 0
+                         ? fmt::format("the bodies overlap by {:.4g} mm at the start", 1e3 * found->depth)
+                         : "the bodies cross each other at the start";
   what += "; expected them apart or touching";
-  if (found->depth > 0 && found->depth < 0.05 * spacing_ && (is_round(contact_.between[0]) || is_round(contact_.between[1])))
-    what += " (round bodies are straight between their points: a finer spacing brings them nearer to their shapes)";
+  if (found->depth > 0 && found->depth < 0.05 * spacing_ &&
+      (is_round(contact_.between[0]) || is_round(contact_.between[1])))
+    what +=
+        " (round bodies are straight between their points: a finer spacing brings them nearer to their "
+        "shapes)";
   fail(what, found->at);
 }
 

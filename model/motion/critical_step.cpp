@@ -107,7 +107,8 @@ double largest_of(const Vector& inverse_mass, Apply&& apply) {
 
 }  // namespace
 
-double critical_step(const Discretization& discretization, const AlignedVector<double>& inverse_mass, std::span<const double> springs) {
+double critical_step(const Discretization& discretization, const AlignedVector<double>& inverse_mass,
+                     std::span<const double> springs) {
   const auto stiffness = [&](const double* x, double* y) {
     discretization.stiffness(x, y);
     for (std::size_t i = 0; i < springs.size(); ++i) y[i] += springs[i] * x[i];

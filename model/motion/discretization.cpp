@@ -19,7 +19,8 @@ std::vector<Facet> Discretization::boundary() const { return boundary_of(topolog
 std::vector<PointArea> Discretization::outward_areas(const Place& place) const {
   const std::vector<Weight> points = points_of(place);
   const auto there = [&](std::size_t p) {
-    return std::binary_search(points.begin(), points.end(), Weight{p, 0}, [](const Weight& a, const Weight& b) { return a.point < b.point; });
+    return std::binary_search(points.begin(), points.end(), Weight{p, 0},
+                              [](const Weight& a, const Weight& b) { return a.point < b.point; });
   };
   const bool plane = layout().dim == 2;
   const std::ptrdiff_t corners = plane ? 2 : 4;
@@ -29,7 +30,8 @@ std::vector<PointArea> Discretization::outward_areas(const Place& place) const {
     Point x[4]{};
     for (int k = 0; k < corners; ++k) x[k] = position(facet.points[k]);
     // In the plane the body lies to the left of 0 -> 1.
-    const Point area = plane ? Point{x[1][1] - x[0][1], x[0][0] - x[1][0], 0} : 0.5 * cross(x[2] - x[0], x[3] - x[1]);
+    const Point area = plane ? Point{x[1][1] - x[0][1], x[0][0] - x[1][0], 0}
+                             : 0.5 * cross(x[2] - x[0], x[3] - x[1]);
     for (int k = 0; k < corners; ++k) out.push_back({facet.points[k], (1.0 / double(corners)) * area});
   }
   return out;
@@ -38,7 +40,8 @@ std::vector<PointArea> Discretization::outward_areas(const Place& place) const {
 std::vector<Facet> boundary_of(const Topology& topology) {
   // Sides of a cell in VTK order, each with the cell behind it.
   static const std::vector<std::array<int, 4>> edges{{0, 1}, {1, 2}, {2, 3}, {3, 0}};
-  static const std::vector<std::array<int, 4>> faces{{0, 3, 2, 1}, {4, 5, 6, 7}, {0, 1, 5, 4}, {1, 2, 6, 5}, {2, 3, 7, 6}, {3, 0, 4, 7}};
+  static const std::vector<std::array<int, 4>> faces{
+      {0, 3, 2, 1}, {4, 5, 6, 7}, {0, 1, 5, 4}, {1, 2, 6, 5}, {2, 3, 7, 6}, {3, 0, 4, 7}};
   const bool plane = topology.kind != Topology::Kind::hexahedra;
   const int corners = plane ? 2 : 4;
   struct Side {

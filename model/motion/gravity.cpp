@@ -13,7 +13,8 @@ constexpr std::size_t chunk = 4096;  ///< points, as in parallel_sum; a multiple
 /// A point costs a tenth of a particle or so: fewer than this are not worth a fork.
 constexpr std::size_t points_for_one_thread = 4 * serial_below;
 
-/// The two layouts there are, with strides that the compiler knows: components side by side (FEM), or a row for each (SPH).
+/// The two layouts there are, with strides that the compiler knows: components side by side (FEM), or a row
+/// for each (SPH).
 template <int dim>
 struct SideBySide {
   std::size_t first;
@@ -37,7 +38,8 @@ auto with_strides(const Layout& at, Body&& body) {
 
 /// Eight sums side by side, so that no addition waits for the one before.
 template <int dim, class Strides>
-double power(const Strides at, const double* __restrict m, const Point& g, const double* __restrict v, std::size_t begin, std::size_t end) {
+double power(const Strides at, const double* __restrict m, const Point& g, const double* __restrict v,
+             std::size_t begin, std::size_t end) {
   double sum[lanes] = {};
   std::size_t i = begin;
   for (; i + lanes <= end; i += lanes)
@@ -64,8 +66,10 @@ void add_weight(const Layout& layout, std::span<const double> mass, const Point&
       for (std::size_t i = begin; i < end; ++i)
         for (int c = 0; c < dim; ++c) force[at.at(i, c)] += own[i] * g[c];
     };
-    if (layout.points < points_for_one_thread) add(0, layout.points);
-    else parallel_for(layout.points, 512, add);
+    if (layout.points < points_for_one_thread)
+      add(0, layout.points);
+    else
+      parallel_for(layout.points, 512, add);
   });
 }
 
@@ -75,7 +79,8 @@ double power_of_weight(const Layout& layout, std::span<const double> mass, const
     const auto part = [&](std::size_t begin, std::size_t end) { return power<dim>(at, m, g, v, begin, end); };
     if (layout.points >= points_for_one_thread) return parallel_sum(layout.points, part);
     double sum = 0;
-    for (std::size_t begin = 0; begin < layout.points; begin += chunk) sum += part(begin, std::min(begin + chunk, layout.points));
+    for (std::size_t begin = 0; begin < layout.points; begin += chunk)
+      sum += part(begin, std::min(begin + chunk, layout.points));
     return sum;
   });
 }

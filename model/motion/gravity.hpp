@@ -10,7 +10,8 @@ namespace femsph {
 /// f += m g
 void add_weight(const Layout& at, std::span<const double> mass, const Point& g, double* f);
 
-/// sum_i m_i v_i . g, W: the power of the weight in motion v. The same to the last bit for any number of threads.
+/// sum_i m_i v_i . g, W: the power of the weight in motion v. The same to the last bit for any number of
+/// threads.
 double power_of_weight(const Layout& at, std::span<const double> mass, const Point& g, const double* v);
 
 }  // namespace femsph

@@ -1,21 +1,26 @@
 // Settling: march until at rest, with damping on the way.
 //
-// At rest means equilibrium, whatever the method: the forces r that are left on free components (loads + contact + reactions - internal forces,
-// that is, mass times acceleration) and what still moves are small. Three shares, each below the scene's `tolerance` at two looks in a row:
-//   force         sum |r| over sum |loads and weight|. The resultant of the reactions lacks of that of the loads exactly sum r.
-//   displacement  |r / m| / (omega^2 |u|), |x| = (x . M x)^1/2, omega from the Rayleigh quotient of u itself: in a mode of frequency omega, r is
-//                 omega^2 m times the displacement that is still to come; of higher modes that is too much. Not asked of bodies in contact or
-//                 rigid ones, whose displacement may be a fall.
-//   motion        (kinetic energy / stored energy)^1/2: the amplitude of a swing about equilibrium, over the displacement.
+// At rest means equilibrium, whatever the method: the forces r that are left on free components (loads +
+// contact + reactions - internal forces, that is, mass times acceleration) and what still moves are small.
+// Three shares, each below the scene's `tolerance` at two looks in a row:
+//   force         sum |r| over sum |loads and weight|. The resultant of the reactions lacks of that of the
+//   loads exactly sum r. displacement  |r / m| / (omega^2 |u|), |x| = (x . M x)^1/2, omega from the Rayleigh
+//   quotient of u itself: in a mode of frequency omega, r is
+//                 omega^2 m times the displacement that is still to come; of higher modes that is too much.
+//                 Not asked of bodies in contact or rigid ones, whose displacement may be a fall.
+//   motion        (kinetic energy / stored energy)^1/2: the amplitude of a swing about equilibrium, over the
+//   displacement.
 // And no load changes any more.
 //
-// Kinetic damping (Cundall 1976; Barnes, Int. J. Space Structures 14 (1999) 89): no damping, but whenever the kinetic energy has passed a peak all velocities
-// start again from rest, from where the peak was. Here that is the middle of the last step before the kinetic energy falls (the march
-// sees at step n that it will: v- . f + v+ . f < 0). From rest, a mode with phase angle theta a step (2 sin(theta/2) = omega dt) is
-// then at cos(theta/2) cos((n - 1/2) theta), at its own peak at most sin(theta)/2 of where it began, up to the highest frequency that the
-// step bears; and never farther than it began. Stopping where the peak is found, up to a step later, leaves the highest modes as they were; their
-// peaks then stop every few steps all that is slower.
-// The way back is a step of half the last velocity, backwards: laws, friction and ties see an ordinary step.
+// Kinetic damping (Cundall 1976; Barnes, Int. J. Space Structures 14 (1999) 89): no damping, but whenever the
+// kinetic energy has passed a peak all velocities start again from rest, from where the peak was. Here that
+// is the middle of the last step before the kinetic energy falls (the march sees at step n that it will: v- .
+// f + v+ . f < 0). From rest, a mode with phase angle theta a step (2 sin(theta/2) = omega dt) is then at
+// cos(theta/2) cos((n - 1/2) theta), at its own peak at most sin(theta)/2 of where it began, up to the
+// highest frequency that the step bears; and never farther than it began. Stopping where the peak is found,
+// up to a step later, leaves the highest modes as they were; their peaks then stop every few steps all that
+// is slower. The way back is a step of half the last velocity, backwards: laws, friction and ties see an
+// ordinary step.
 
 #include <fmt/format.h>
 
@@ -23,8 +28,8 @@
 #include <cmath>
 
 #include "model/motion/march.hpp"
-#include "model/numerics/vectors.hpp"
 #include "model/numerics/parallel.hpp"
+#include "model/numerics/vectors.hpp"
 
 namespace femsph {
 
@@ -48,7 +53,9 @@ double sum_over(const MovingBody& body, Part&& part) {
   });
 }
 
-double force_at(const MovingBody& body, std::size_t i) { return body.viscous.empty() ? body.f[i] : body.f[i] + body.viscous[i]; }
+double force_at(const MovingBody& body, std::size_t i) {
+  return body.viscous.empty() ? body.f[i] : body.f[i] + body.viscous[i];
+}
 
 double size(const Point& p) { return std::abs(p[0]) + std::abs(p[1]) + std::abs(p[2]); }
 
@@ -58,16 +65,20 @@ void March::settle(const Ledger& l) {
   double inertia = 0, accelerated = 0, left = 0, reactions = 0, loads = 0;  // u.Mu, a.Ma, sums of magnitudes
   for (const MovingBody& body : bodies_) {
     inertia += sum_over(body, [&](std::size_t i) { return body.mass[i] * body.u[i] * body.u[i]; });
-    accelerated += sum_over(body, [&](std::size_t i) { return body.inverse_mass[i] * force_at(body, i) * force_at(body, i); });
-    left += sum_over(body, [&](std::size_t i) { return body.inverse_mass[i] == 0 ? 0.0 : std::abs(force_at(body, i)); });
+    accelerated += sum_over(
+        body, [&](std::size_t i) { return body.inverse_mass[i] * force_at(body, i) * force_at(body, i); });
+    left += sum_over(
+        body, [&](std::size_t i) { return body.inverse_mass[i] == 0 ? 0.0 : std::abs(force_at(body, i)); });
     const Layout& at = body.discretization->layout();
     for (std::size_t k = 0; k < body.held.size(); ++k) {
       const auto& [point, component, hold] = body.held[k];
-      if (k == 0 || body.held[k - 1].point != point || body.held[k - 1].component != component) reactions += std::abs(reaction(body, at.at(point, component)));
+      if (k == 0 || body.held[k - 1].point != point || body.held[k - 1].component != component)
+        reactions += std::abs(reaction(body, at.at(point, component)));
     }
     for (const MovingBody::MeanHold& hold : body.means)
       for (const double w : hold.weights) reactions += std::abs(hold.reaction * w);
-    for (const MovingBody::NodalLoad& load : body.loads) loads += std::abs(load.force * scene_.loads[load.load].history.at(time()));
+    for (const MovingBody::NodalLoad& load : body.loads)
+      loads += std::abs(load.force * scene_.loads[load.load].history.at(time()));
     if (scene_.gravity)
       for (const double m : body.discretization->mass()) loads += m * size(*scene_.gravity);
   }
@@ -82,34 +93,51 @@ void March::settle(const Ledger& l) {
       if (load.place.body == body.index) loads += std::abs(load.history.at(time())) * size(load.force);
   }
   const double stored = l.strain + l.hourglass;
-  const double omega = inertia > 0 ? std::sqrt(2 * stored / inertia) : 0.0;  // Rayleigh quotient of the motion itself
-  if (adaptive_damping_) damping_rate_ = 2 * omega;      // critical for the slowest mode
+  const double omega = inertia > 0 ? std::sqrt(2 * stored / inertia)
+                                   : 0.0;            // Rayleigh quotient of the motion itself
+  if (adaptive_damping_) damping_rate_ = 2 * omega;  // critical for the slowest mode
   if (loads == 0) force_scale_ = std::max({force_scale_, reactions, left});  // the largest so far
   const double scale = loads > 0 ? loads : force_scale_;
   const auto share = [](double part, double whole) { return part == 0 ? 0.0 : part / whole; };
   unrest_.force = share(left, scale);
-  unrest_.displacement = contacts_.empty() && rigid_.empty() ? share(std::sqrt(accelerated), omega * omega * std::sqrt(inertia)) : 0.0;
+  unrest_.displacement = contacts_.empty() && rigid_.empty()
+                             ? share(std::sqrt(accelerated), omega * omega * std::sqrt(inertia))
+                             : 0.0;
   unrest_.motion = std::sqrt(share(l.kinetic, stored + l.contact));
-  unrest_.loads_change = std::any_of(scene_.loads.begin(), scene_.loads.end(), [&](const Load& load) { return last_change(load.history) > time() + 0.5 * dt_; });
+  unrest_.loads_change = std::any_of(scene_.loads.begin(), scene_.loads.end(), [&](const Load& load) {
+    return last_change(load.history) > time() + 0.5 * dt_;
+  });
   const double tolerated = scene_.settling->tolerance;
-  const bool still = unrest_.force <= tolerated && unrest_.displacement <= tolerated && unrest_.motion <= tolerated && !unrest_.loads_change;
-  if (!still) still_since_ = -1;
-  else if (still_since_ < 0) still_since_ = time();
-  else settled_ = true;
+  const bool still = unrest_.force <= tolerated && unrest_.displacement <= tolerated &&
+                     unrest_.motion <= tolerated && !unrest_.loads_change;
+  if (!still)
+    still_since_ = -1;
+  else if (still_since_ < 0)
+    still_since_ = time();
+  else
+    settled_ = true;
 }
 
 void March::say_what_did_not_settle() {
-  const double worst = std::max({unrest_.force, unrest_.displacement, unrest_.motion}), tolerated = scene_.settling->tolerance;
+  const double worst = std::max({unrest_.force, unrest_.displacement, unrest_.motion}),
+               tolerated = scene_.settling->tolerance;
   std::string advice = "give it more time ([time] duration)";
-  if (unrest_.loads_change) advice = "a load still changes: let its history end earlier, or give a longer [time] duration";
-  else if (worst < 10 * tolerated) advice += ", or a larger [settling] tolerance";
+  if (unrest_.loads_change)
+    advice = "a load still changes: let its history end earlier, or give a longer [time] duration";
+  else if (worst < 10 * tolerated)
+    advice += ", or a larger [settling] tolerance";
   const bool to_come = contacts_.empty() && rigid_.empty();
-  warnings_.push_back(fmt::format("not settled within {:g} s: the forces out of balance are still {:.2g} of the loads, {}what moves {:.2g} of the displacement, for a tolerance of "
-                                  "{:g}; these results are of a body on its way and no static state: {}",
-                                  time(), unrest_.force, to_come ? fmt::format("the displacement still to come {:.2g} and ", unrest_.displacement) : "", unrest_.motion, tolerated, advice));
+  warnings_.push_back(fmt::format(
+      "not settled within {:g} s: the forces out of balance are still {:.2g} of the loads, {}what moves "
+      "{:.2g} of the displacement, for a tolerance of "
+      "{:g}; these results are of a body on its way and no static state: {}",
+      time(), unrest_.force,
+      to_come ? fmt::format("the displacement still to come {:.2g} and ", unrest_.displacement) : "",
+      unrest_.motion, tolerated, advice));
 }
 
-/// The kinetic energy of the next half step less that of the last one is dt/2 f . (v- + v+); damping has no say.
+/// The kinetic energy of the next half step less that of the last one is dt/2 f . (v- + v+); damping has no
+/// say.
 bool March::past_kinetic_peak() const {
   double gain = 0;
   for (const MovingBody& body : bodies_)
@@ -117,13 +145,15 @@ bool March::past_kinetic_peak() const {
       const double w = body.inverse_mass[i], f = force_at(body, i);
       return w == 0 ? 0.0 : f * (2 * body.v[i] + dt_ * w * f);
     });
-  for (const RigidBody& body : rigid_) gain += (body.product(1, dt_, 0, 2) - body.product(1, dt_, 2, 0) + body.energy_of_kick(1, dt_)) / dt_;
+  for (const RigidBody& body : rigid_)
+    gain += (body.product(1, dt_, 0, 2) - body.product(1, dt_, 2, 0) + body.energy_of_kick(1, dt_)) / dt_;
   return gain < 0;
 }
 
 double March::work_of_the_step() const {
   double work = 0;
-  for (const MovingBody& body : bodies_) work += sum_over(body, [&](std::size_t i) { return body.v[i] * body.f[i]; });
+  for (const MovingBody& body : bodies_)
+    work += sum_over(body, [&](std::size_t i) { return body.v[i] * body.f[i]; });
   for (const RigidBody& body : rigid_) work += dot(body.velocity, body.force) + dot(body.rate(), body.moment);
   return 0.5 * dt_ * work;
 }
@@ -153,7 +183,8 @@ void March::start_again_from_rest() {
   damping_loss_ += work_of_the_step();
   const auto [keep, push] = leap(dt_);
   for (MovingBody& body : bodies_)
-    for (std::size_t i = 0; i < body.v.size(); ++i) body.v[i] = -push / (1 + keep) * body.inverse_mass[i] * force_at(body, i);
+    for (std::size_t i = 0; i < body.v.size(); ++i)
+      body.v[i] = -push / (1 + keep) * body.inverse_mass[i] * force_at(body, i);
   for (RigidBody& body : rigid_) {
     body.velocity = body.spin = {};
     body.start_from(keep, push);

@@ -8,15 +8,19 @@
 #include "model/motion/critical_step.hpp"
 #include "model/motion/march.hpp"
 #include "model/motion/mass_properties.hpp"
-#include "model/numerics/vectors.hpp"
 #include "model/numerics/parallel.hpp"
+#include "model/numerics/vectors.hpp"
 
 namespace femsph {
 
-March::March(const Scene& scene, std::vector<std::unique_ptr<Discretization>> bodies, const MarchOptions& options) : scene_(scene) {
-  adaptive_damping_ = scene.settling && scene.settling->method == SettlingMethod::damping && !scene.settling->rate;
+March::March(const Scene& scene, std::vector<std::unique_ptr<Discretization>> bodies,
+             const MarchOptions& options)
+    : scene_(scene) {
+  adaptive_damping_ = scene.settling && scene.settling->method == SettlingMethod::damping &&
+                      !scene.settling->rate;
   kinetic_damping_ = scene.settling && scene.settling->method == SettlingMethod::kinetic;
-  damping_rate_ = scene.settling && scene.settling->rate ? *scene.settling->rate : scene.damping.value_or(0.0);
+  damping_rate_ = scene.settling && scene.settling->rate ? *scene.settling->rate
+                                                         : scene.damping.value_or(0.0);
   price_.threads = threads();
   PhaseTimer timer(price_, "critical step");
   std::size_t next = 0;
@@ -28,35 +32,48 @@ March::March(const Scene& scene, std::vector<std::unique_ptr<Discretization>> bo
     body.discretization = std::move(bodies.at(next++));
     place_supports_and_loads(body, b);
     price_.units += body.discretization->units();
-    price_.bytes += body.discretization->bytes() + sizeof(double) * (4 * body.u.size() + body.viscous.size() + body.mass.size());
+    price_.bytes += body.discretization->bytes() +
+                    sizeof(double) * (4 * body.u.size() + body.viscous.size() + body.mass.size());
     bodies_.push_back(std::move(body));
   }
   warnings_ = scene.warnings;
   for (const MovingBody& body : bodies_) {
-    for (const std::string& text : body.discretization->warnings()) warnings_.push_back(fmt::format("body \"{}\": {}", body.name, text));
-    if (const std::string text = mass_warning(scene, body.index, *body.discretization); !text.empty()) warnings_.push_back(text);
+    for (const std::string& text : body.discretization->warnings())
+      warnings_.push_back(fmt::format("body \"{}\": {}", body.name, text));
+    if (const std::string text = mass_warning(scene, body.index, *body.discretization); !text.empty())
+      warnings_.push_back(text);
   }
   place_rigid_bodies_and_contacts();
   find_critical_step();
-  if (!std::isfinite(critical_)) throw MotionError("nothing in this scene can move: every displacement is held, or no body has stiffness");
+  if (!std::isfinite(critical_))
+    throw MotionError("nothing in this scene can move: every displacement is held, or no body has stiffness");
   dt_ = next_dt_ = smallest_step_ = options.step.value_or(options.safety * critical_);
   critical_now_ = critical_;
   safety_ = options.safety;
   given_step_ = options.step.has_value();
-  follows_ = scene.large_motion && std::any_of(bodies_.begin(), bodies_.end(), [](const MovingBody& b) { return b.discretization->stiffening(b.u.data()).has_value(); });
+  follows_ = scene.large_motion && std::any_of(bodies_.begin(), bodies_.end(), [](const MovingBody& b) {
+               return b.discretization->stiffening(b.u.data()).has_value();
+             });
   price_.dt = dt_;
   if (dt_ > critical_)
-    throw MotionError(fmt::format("the step {:.4g} s is over the limit: the largest stable step is {:.4g} s; march with --safety 0.9 instead", dt_, critical_));
+    throw MotionError(fmt::format(
+        "the step {:.4g} s is over the limit: the largest stable step is {:.4g} s; march with "
+        "--safety 0.9 instead",
+        dt_, critical_));
   if (!(scene.duration / dt_ < 1e12))
-    throw MotionError(fmt::format("a duration of {:.4g} s takes {:.2g} steps of {:.4g} s, which no machine marches; shorten [time] duration, or take a coarser spacing",
-                                  scene.duration, scene.duration / dt_, dt_));
+    throw MotionError(fmt::format(
+        "a duration of {:.4g} s takes {:.2g} steps of {:.4g} s, which no machine marches; "
+        "shorten [time] duration, or take a coarser spacing",
+        scene.duration, scene.duration / dt_, dt_));
 }
 
 std::vector<Weight> March::points_of(const MovingBody& body, const Place& place, const char* what) const {
   std::vector<Weight> points = body.discretization->points_of(place);
   if (points.empty())
-    throw MotionError(fmt::format("{}:{}:{}: this {} finds no point of body \"{}\" ({}); use a finer spacing or another place", scene_.file,
-                                  place.source.line, place.source.column, what, body.name, body.discretization->describe()));
+    throw MotionError(fmt::format(
+        "{}:{}:{}: this {} finds no point of body \"{}\" ({}); use a finer spacing or another place",
+        scene_.file, place.source.line, place.source.column, what, body.name,
+        body.discretization->describe()));
   return points;
 }
 
@@ -79,7 +96,8 @@ void March::place_supports_and_loads(MovingBody& body, std::size_t index) {
         for (int c = 0; c < at.dim; ++c) body.u[at.at(i, c)] = u[c];
       }
   for (const Support& support : scene_.supports)
-    if (support.place.body == index && support.mean) place_mean_support(body, support, points_of(body, support.place, "support"));
+    if (support.place.body == index && support.mean)
+      place_mean_support(body, support, points_of(body, support.place, "support"));
   for (std::size_t l = 0; l < scene_.loads.size(); ++l) {
     const Load& load = scene_.loads[l];
     if (load.place.body != index) continue;
@@ -98,14 +116,17 @@ void March::place_pressure(MovingBody& body, std::size_t load) {
   const Discretization& d = *body.discretization;
   const Layout& at = d.layout();
   const Place& place = scene_.loads[load].place;
-  const double thickness = at.dim == 2 ? scene_.bodies[body.index].thickness : 1.0, pressure = scene_.loads[load].pressure;
+  const double thickness = at.dim == 2 ? scene_.bodies[body.index].thickness : 1.0,
+               pressure = scene_.loads[load].pressure;
   const std::vector<PointArea> areas = d.outward_areas(place);
   if (areas.empty())
-    throw MotionError(fmt::format("{}:{}:{}: this pressure finds no piece of the boundary of body \"{}\" ({}); use a finer spacing", scene_.file,
-                                  place.source.line, place.source.column, body.name, d.describe()));
+    throw MotionError(fmt::format(
+        "{}:{}:{}: this pressure finds no piece of the boundary of body \"{}\" ({}); use a finer spacing",
+        scene_.file, place.source.line, place.source.column, body.name, d.describe()));
   for (const PointArea& part : areas)
     for (int c = 0; c < at.dim; ++c)
-      if (part.area[c] != 0) body.loads.push_back({at.at(part.point, c), -pressure * thickness * part.area[c], load});
+      if (part.area[c] != 0)
+        body.loads.push_back({at.at(part.point, c), -pressure * thickness * part.area[c], load});
 }
 
 void March::place_mean_support(MovingBody& body, const Support& support, const std::vector<Weight>& points) {
@@ -119,15 +140,20 @@ void March::place_mean_support(MovingBody& body, const Support& support, const s
       for (const MovingBody::Driven& driven : body.driven)
         if (driven.slot == slot && driven.velocity != 0) {
           const Source& other = scene_.supports[driven.support].place.source;
-          throw InputError(scene_.file, {Fault{support.place.source.line, support.place.source.column,
-                                         fmt::format("this support holds the mean along {} of a place of body \"{}\" where the one at {}:{}:{} moves points; expected places that do not meet",
-                                                     "xyz"[c], body.name, scene_.file, other.line, other.column)}});
+          throw InputError(
+              scene_.file,
+              {Fault{support.place.source.line, support.place.source.column,
+                     fmt::format("this support holds the mean along {} of a place of body \"{}\" where the "
+                                 "one at {}:{}:{} moves points; expected places that do not meet",
+                                 "xyz"[c], body.name, scene_.file, other.line, other.column)}});
         }
       if (body.inverse_mass[slot] == 0) continue;  // held by a support of its own
       for (const MovingBody::MeanHold& other : body.means)
         if (std::find(other.slots.begin(), other.slots.end(), slot) != other.slots.end())
-          throw MotionError(fmt::format("{}:{}:{}: two supports with mode = \"mean\" share a point of body \"{}\"; keep their places apart", scene_.file,
-                                        support.place.source.line, support.place.source.column, body.name));
+          throw MotionError(fmt::format(
+              "{}:{}:{}: two supports with mode = \"mean\" share a point of body \"{}\"; keep "
+              "their places apart",
+              scene_.file, support.place.source.line, support.place.source.column, body.name));
       hold.slots.push_back(slot);
       hold.weights.push_back(w.weight);
     }
@@ -135,7 +161,8 @@ void March::place_mean_support(MovingBody& body, const Support& support, const s
   }
 }
 
-/// The leap-frog's first velocity belongs to half a step before the start, such that the mean of v(-1/2) and v(+1/2) is v(0).
+/// The leap-frog's first velocity belongs to half a step before the start, such that the mean of v(-1/2) and
+/// v(+1/2) is v(0).
 void March::start_velocities() {
   const auto [keep, push] = leap(dt_);
   for (MovingBody& body : bodies_) {
@@ -181,7 +208,9 @@ void March::start_velocities() {
   start_viscosity_ = k.viscosity;
 }
 
-long March::planned_steps() const { return since_step_ + std::max(1L, std::lround(std::ceil((scene_.duration - since_time_) / dt_ - 1e-9))); }
+long March::planned_steps() const {
+  return since_step_ + std::max(1L, std::lround(std::ceil((scene_.duration - since_time_) / dt_ - 1e-9)));
+}
 
 /// Internal force of each point: what the discretization gave, before loads and gravity were added.
 template <class Take>
@@ -194,7 +223,8 @@ void March::internal_forces(const MovingBody& body, Take&& take) const {
   for (const ContactPair& contact : contacts_)
     contact.each_force(std::size_t(&body - bodies_.data()), take_off);
   ties_.each_force(std::size_t(&body - bodies_.data()), take_off);
-  for (const MovingBody::NodalLoad& load : body.loads) f[load.slot] -= load.force * scene_.loads[load.load].history.at(time());
+  for (const MovingBody::NodalLoad& load : body.loads)
+    f[load.slot] -= load.force * scene_.loads[load.load].history.at(time());
   for (const MovingBody::MeanHold& hold : body.means)
     for (std::size_t k = 0; k < hold.slots.size(); ++k) f[hold.slots[k]] -= hold.reaction * hold.weights[k];
   for (std::size_t i = 0; i < at.points; ++i) {

@@ -1,4 +1,5 @@
-// What a march carries from one step to the next: all that a run which is taken up again cannot work out anew.
+// What a march carries from one step to the next: all that a run which is taken up again cannot work out
+// anew.
 
 #include "model/motion/march.hpp"
 
@@ -52,7 +53,8 @@ void March::state(Archive& archive) {
       body.discretization->state(archive);
     });
   for (RigidBody& body : rigid_) archive.below("body " + body.name, [&] { body.state(archive); });
-  for (ContactPair& contact : contacts_) archive.below("contact " + contact.contact().name, [&] { contact.state(archive); });
+  for (ContactPair& contact : contacts_)
+    archive.below("contact " + contact.contact().name, [&] { contact.state(archive); });
   if (!ties_.empty()) archive.below("ties", [&] { ties_.state(archive); });
 }
 
@@ -64,7 +66,8 @@ void RigidBody::state(Archive& archive) {
   archive("angle", angle);
 }
 
-/// Forces and depths of now follow from the points; what points remember and which pieces they look at does not.
+/// Forces and depths of now follow from the points; what points remember and which pieces they look at does
+/// not.
 void ContactPair::state(Archive& archive) {
   archive("next_search", next_search_);
   archive("friction_loss", loss_);

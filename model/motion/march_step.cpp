@@ -1,20 +1,24 @@
 // A step that follows the deformation.
 //
-// The critical step of the undeformed body comes from its largest eigenvalue (critical_step.hpp). Where a law gives the Kirchhoff stress by
-// moduli c of the deformed body, tau = tau(c, ln U), the tangent by the deformation gradient is
+// The critical step of the undeformed body comes from its largest eigenvalue (critical_step.hpp). Where a law
+// gives the Kirchhoff stress by moduli c of the deformed body, tau = tau(c, ln U), the tangent by the
+// deformation gradient is
 //   dP_iJ/dF_kL = F^-1_Jj c_ijkl F^-1_Ll + (terms of the stress, small beside c in a solid),
-// so a material point is stiffer than undeformed by at most c/c_0 / lambda^2, lambda its smallest principal stretch. A generalised eigenvalue of
-// a sum of points is at most that of the point with the largest ratio r times the undeformed one: dt_critical >= dt_0 / sqrt(max r). That is the
-// rule of explicit codes that the step goes with the shortest side, for both discretizations at once: a wave needs the time lambda d / c.
+// so a material point is stiffer than undeformed by at most c/c_0 / lambda^2, lambda its smallest principal
+// stretch. A generalised eigenvalue of a sum of points is at most that of the point with the largest ratio r
+// times the undeformed one: dt_critical >= dt_0 / sqrt(max r). That is the rule of explicit codes that the
+// step goes with the shortest side, for both discretizations at once: a wave needs the time lambda d / c.
 // (Belytschko, Liu & Moran, Nonlinear Finite Elements for Continua and Structures, 6.2.3 and 6.3.)
 //
-// The step only ever falls. One that comes and goes with a motion drives the fastest modes like a parametric oscillator (a fast spring that a slow
-// one stiffens fourfold and lets go again, a hundred times: its amplitude grew eightyfold with a step that also rose, and stayed within the
-// adiabatic factor of 2 with one that only falls); and what has been crushed mostly stays so.
+// The step only ever falls. One that comes and goes with a motion drives the fastest modes like a parametric
+// oscillator (a fast spring that a slow one stiffens fourfold and lets go again, a hundred times: its
+// amplitude grew eightyfold with a step that also rose, and stayed within the adiabatic factor of 2 with one
+// that only falls); and what has been crushed mostly stays so.
 //
-// The step changes at a whole step n, where u and f are known: v(n+1/2) = v(n-1/2) + (dt_old + dt_new)/2 a(n). So that the march and its ledger go
-// on as if the new step had always been, v(n-1/2) is replaced by the velocity half a new step before n; 1/2 v-.M v+ jumps by
-// 1/8 (dt_old^2 - dt_new^2) a.M a, which is no energy of the body and is taken into the ledger's start.
+// The step changes at a whole step n, where u and f are known: v(n+1/2) = v(n-1/2) + (dt_old + dt_new)/2
+// a(n). So that the march and its ledger go on as if the new step had always been, v(n-1/2) is replaced by
+// the velocity half a new step before n; 1/2 v-.M v+ jumps by 1/8 (dt_old^2 - dt_new^2) a.M a, which is no
+// energy of the body and is taken into the ledger's start.
 
 #include <fmt/format.h>
 
@@ -27,9 +31,10 @@ namespace femsph {
 
 namespace {
 
-constexpr long longest_wait = 8;       ///< steps between two estimates; a body that is hit is looked at at once
-constexpr double reserve = 0.98;       ///< a lowered step stays below its limit by this, so that it is not lowered again at once
-constexpr double least_share = 0.01;   ///< of the undeformed body's step: below, the march would not end
+constexpr long longest_wait = 8;  ///< steps between two estimates; a body that is hit is looked at at once
+constexpr double reserve =
+    0.98;  ///< a lowered step stays below its limit by this, so that it is not lowered again at once
+constexpr double least_share = 0.01;  ///< of the undeformed body's step: below, the march would not end
 
 }  // namespace
 
@@ -54,10 +59,12 @@ void March::follow_deformation() {
   Stiffening most;
   const MovingBody* stiffest = nullptr;
   for (const MovingBody& body : bodies_)
-    if (auto s = body.discretization->stiffening(body.u.data()); s && !(s->ratio <= most.ratio)) most = *s, stiffest = &body;
+    if (auto s = body.discretization->stiffening(body.u.data()); s && !(s->ratio <= most.ratio))
+      most = *s, stiffest = &body;
   if (!std::isfinite(most.ratio)) look_at_units();
   const double share = 1 / std::sqrt(most.ratio);
-  // As long as the stable step changes as fast as it did (it may turn), it changes by half of what the safety factor leaves until the next estimate.
+  // As long as the stable step changes as fast as it did (it may turn), it changes by half of what the safety
+  // factor leaves until the next estimate.
   const double allowed = std::clamp(0.5 * (1 / safety_ - 1), 0.005, 0.05);
   const double rate = std::abs(std::log(seen_share_ / share)) / double(std::max(1L, step_ - seen_step_));
   const long wait = rate > 0 ? long(std::min(double(longest_wait), allowed / rate)) : longest_wait;
@@ -66,20 +73,30 @@ void March::follow_deformation() {
   seen_step_ = step_;
   critical_now_ = share * critical_;
   const auto where = [&] {
-    return stiffest ? fmt::format("body \"{}\", {} at ({:.6g}, {:.6g}, {:.6g}) m", stiffest->name, most.unit, most.position[0], most.position[1], most.position[2])
+    return stiffest ? fmt::format("body \"{}\", {} at ({:.6g}, {:.6g}, {:.6g}) m", stiffest->name, most.unit,
+                                  most.position[0], most.position[1], most.position[2])
                     : fastest_point();
   };
   if (!(share >= least_share))
-    fail(Stopped::Watch::step, where(), fmt::format("it is crushed so far that the largest stable step has fallen to {:.3g} s, {:.2g} % of the undeformed body's", critical_now_, 100 * share),
-         "the load is more than this discretization can follow: try a gentler load, other divisions there, a finer spacing, or a stronger material");
+    fail(Stopped::Watch::step, where(),
+         fmt::format("it is crushed so far that the largest stable step has fallen to {:.3g} s, {:.2g} % of "
+                     "the undeformed body's",
+                     critical_now_, 100 * share),
+         "the load is more than this discretization can follow: try a gentler load, other divisions there, a "
+         "finer spacing, or a stronger material");
   if (given_step_) {
     if (dt_ > (1 + 1e-9) * critical_now_)
-      fail(Stopped::Watch::step, where(), fmt::format("the step of {:.4g} s is over the limit: deformed as it is now, the body bears {:.4g} s", dt_, critical_now_),
-           fmt::format("march without --step, and the step follows the deformation, or with --step {:.2g}", 0.8 * critical_now_));
+      fail(Stopped::Watch::step, where(),
+           fmt::format(
+               "the step of {:.4g} s is over the limit: deformed as it is now, the body bears {:.4g} s", dt_,
+               critical_now_),
+           fmt::format("march without --step, and the step follows the deformation, or with --step {:.2g}",
+                       0.8 * critical_now_));
     return;
   }
   const double limit = safety_ * critical_now_;
-  if (dt_ > (1 + 1e-9) * limit) next_dt_ = reserve * limit;  // round-off of an undeformed body is no deformation
+  if (dt_ > (1 + 1e-9) * limit)
+    next_dt_ = reserve * limit;  // round-off of an undeformed body is no deformation
   if (step_ == 0) dt_ = price_.dt = smallest_step_ = next_dt_;
 }
 
@@ -103,7 +120,8 @@ void March::change_step() {
   ++step_changes_;
   planned_ = planned_steps();
   const Kinetic after = kinetic();
-  initial_energy_ += after.energy - before.energy + after.damping - before.damping + after.viscosity - before.viscosity;
+  initial_energy_ += after.energy - before.energy + after.damping - before.damping + after.viscosity -
+                     before.viscosity;
 }
 
 }  // namespace femsph

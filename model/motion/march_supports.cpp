@@ -1,12 +1,16 @@
-// Supports that hold every point of a place: which components they hold, which of them move, and what that takes.
+// Supports that hold every point of a place: which components they hold, which of them move, and what that
+// takes.
 //
-// A driven component goes from v- to v+ = V h(t(n+1/2)), whatever acts on it. As of any other component m (v+ - keep v-) / push = f + R, with R
-// the reaction: what accelerates the point's own mass (and overcomes its damping) is in it, and the sum of R over the steps is the change of
-// momentum of the whole body, exactly. Over a step the reaction does the work 1/2 dt v(n+1/2) (R(n) + R(n+1)), which closes the ledger (see kinetic()).
+// A driven component goes from v- to v+ = V h(t(n+1/2)), whatever acts on it. As of any other component m (v+
+// - keep v-) / push = f + R, with R the reaction: what accelerates the point's own mass (and overcomes its
+// damping) is in it, and the sum of R over the steps is the change of momentum of the whole body, exactly.
+// Over a step the reaction does the work 1/2 dt v(n+1/2) (R(n) + R(n+1)), which closes the ledger (see
+// kinetic()).
 //
-// At t = 0 the point has the velocity v(0) that [[initial]] gives its body, like every other: v(-1/2) = 2 v(0) - v(+1/2). If the support then
-// moves at another speed the reaction of that instant is an impulse, m (v(+1/2) - v(0)) in the half step before t = 0 and as much again in the one
-// after: by the trapezoidal rule, in which the first row of a history counts for half a step, it is m (v(+1/2) - v(0)).
+// At t = 0 the point has the velocity v(0) that [[initial]] gives its body, like every other: v(-1/2) = 2
+// v(0) - v(+1/2). If the support then moves at another speed the reaction of that instant is an impulse, m
+// (v(+1/2) - v(0)) in the half step before t = 0 and as much again in the one after: by the trapezoidal rule,
+// in which the first row of a history counts for half a step, it is m (v(+1/2) - v(0)).
 
 #include <fmt/format.h>
 
@@ -25,7 +29,10 @@ bool agree(const Support& a, const Support& b, int c) {
 }
 
 std::string wish(const Support& support, int c) {
-  return support.velocity[c] == 0 ? "holds it at rest" : fmt::format("moves it at {:g} m/s{}", support.velocity[c], support.history.time.size() > 1 ? " times its history" : "");
+  return support.velocity[c] == 0
+             ? "holds it at rest"
+             : fmt::format("moves it at {:g} m/s{}", support.velocity[c],
+                           support.history.time.size() > 1 ? " times its history" : "");
 }
 
 }  // namespace
@@ -48,10 +55,15 @@ void March::hold_and_drive(MovingBody& body, std::size_t index) {
       const Support &one = holds[body.held[k - 1].hold], &other = holds[h];
       if (agree(one, other, c)) continue;
       const Point x = d.position(point);
-      throw InputError(scene_.file, {Fault{other.place.source.line, other.place.source.column,
-                                     fmt::format("this support {} along {} and the one at {}:{}:{} {}: both have the point ({:.6g}, {:.6g}, {:.6g}) m of body \"{}\"; "
-                                                 "expected supports that agree there, or places that do not meet (see \"within\")",
-                                                 wish(other, c), "xyz"[c], scene_.file, one.place.source.line, one.place.source.column, wish(one, c), x[0], x[1], x[2], body.name)}});
+      throw InputError(
+          scene_.file,
+          {Fault{
+              other.place.source.line, other.place.source.column,
+              fmt::format("this support {} along {} and the one at {}:{}:{} {}: both have the point ({:.6g}, "
+                          "{:.6g}, {:.6g}) m of body \"{}\"; "
+                          "expected supports that agree there, or places that do not meet (see \"within\")",
+                          wish(other, c), "xyz"[c], scene_.file, one.place.source.line,
+                          one.place.source.column, wish(one, c), x[0], x[1], x[2], body.name)}});
     }
     double start = 0;
     for (const InitialVelocity& initial : scene_.initial_velocities)
@@ -61,7 +73,8 @@ void March::hold_and_drive(MovingBody& body, std::size_t index) {
     body.driven.push_back({slot, holds[h].velocity[c], h, d.mass()[point], start});
     if (!body.mass.empty()) body.mass[slot] = 0;  // drive() counts its damping
   }
-  std::sort(body.driven.begin(), body.driven.end(), [](const auto& a, const auto& b) { return a.slot < b.slot; });
+  std::sort(
+      body.driven.begin(), body.driven.end(), [](const auto& a, const auto& b) { return a.slot < b.slot; });
 }
 
 void March::find_reactions() {
@@ -82,7 +95,9 @@ void March::drive(MovingBody& body) {
     double& v = body.v[d.slot];  // from the kick, which has moved the point by dt v
     const double mean = 0.5 * (d.before + d.after);
     damping_loss_ += damping_rate_ * dt_ * d.mass * mean * mean;
-    if (!body.viscous.empty()) viscous_loss_ -= dt_ * body.viscous[d.slot] * (mean - 0.5 * (d.before + v));  // the kick has counted the latter
+    if (!body.viscous.empty())
+      viscous_loss_ -= dt_ * body.viscous[d.slot] *
+                       (mean - 0.5 * (d.before + v));  // the kick has counted the latter
     body.u[d.slot] += dt_ * (d.after - v);
     v = d.after;
   }
@@ -99,7 +114,8 @@ void March::count_driven_work() {
 namespace {
 
 const MovingBody::Driven* driven_at(const MovingBody& body, std::size_t slot) {
-  const auto found = std::lower_bound(body.driven.begin(), body.driven.end(), slot, [](const MovingBody::Driven& d, std::size_t s) { return d.slot < s; });
+  const auto found = std::lower_bound(body.driven.begin(), body.driven.end(), slot,
+                                      [](const MovingBody::Driven& d, std::size_t s) { return d.slot < s; });
   return found != body.driven.end() && found->slot == slot ? &*found : nullptr;
 }
 
@@ -120,7 +136,9 @@ double March::velocity(const MovingBody& body, std::size_t slot) const {
   return 0.5 * ((1 + keep) * body.v[slot] + push * body.inverse_mass[slot] * force);
 }
 
-Point March::velocity(const RigidBody& body) const { return body.half_way(leap(dt_).keep, leap(dt_).push)[0]; }
+Point March::velocity(const RigidBody& body) const {
+  return body.half_way(leap(dt_).keep, leap(dt_).push)[0];
+}
 Point March::spin(const RigidBody& body) const { return body.half_way(leap(dt_).keep, leap(dt_).push)[1]; }
 
 }  // namespace femsph

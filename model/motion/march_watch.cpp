@@ -1,6 +1,7 @@
 // What looks after a march: numbers, energy, units and the step.
 //
-// Every watch_every_ steps a glance, which reads velocities only; every eighth time, and at the end, a look at everything.
+// Every watch_every_ steps a glance, which reads velocities only; every eighth time, and at the end, a look
+// at everything.
 
 #include <fmt/format.h>
 
@@ -15,8 +16,9 @@ namespace {
 
 constexpr long glances_a_look = 8;
 
-/// Energy from nowhere that a look tolerates, as a share of all that has passed through. Belytschko, Liu and Moran (Nonlinear Finite Elements
-/// for Continua and Structures, 6.2.3) take a march for unstable beyond about 1 %; contact that chatters comes near that here.
+/// Energy from nowhere that a look tolerates, as a share of all that has passed through. Belytschko, Liu and
+/// Moran (Nonlinear Finite Elements for Continua and Structures, 6.2.3) take a march for unstable beyond
+/// about 1 %; contact that chatters comes near that here.
 constexpr double tolerance = 0.05;
 
 /// 1/2 v . M v at the last half step, J.
@@ -56,19 +58,25 @@ void March::watch(bool last) {
   if (scene_.settling) settle(l);
 }
 
-/// What a sound march can hold as kinetic energy at a half step, or as stored energy: in the leap-frog a mode of frequency omega and energy E
-/// reaches E / (1 - (omega dt / 2)^2) of either, and the sum of all E is what has been supplied.
+/// What a sound march can hold as kinetic energy at a half step, or as stored energy: in the leap-frog a mode
+/// of frequency omega and energy E reaches E / (1 - (omega dt / 2)^2) of either, and the sum of all E is what
+/// has been supplied.
 double March::allowance() const {
   const double share = dt_ / critical_now_;
-  return (1 + tolerance) * (initial_energy_ + external_passed_ + created_) / std::max(0.05, 1 - share * share) + 1e-12;
+  return (1 + tolerance) * (initial_energy_ + external_passed_ + created_) /
+             std::max(0.05, 1 - share * share) +
+         1e-12;
 }
 
 void March::look_at_energy(const Ledger& l) {
   if (!std::isfinite(l.stored()) || !std::isfinite(l.external))
-    fail(Stopped::Watch::not_a_number, fastest_point(), "a displacement is not a finite number",
-         scene_.large_motion ? "a unit may have turned inside out, the march may have become unstable, or a load or material is out of range: try more [time] "
-                               "snapshots to see where it begins, a gentler load, or a smaller --safety"
-                             : "the march has become unstable, or a load or material is out of range: try a smaller --safety");
+    fail(
+        Stopped::Watch::not_a_number, fastest_point(), "a displacement is not a finite number",
+        scene_.large_motion
+            ? "a unit may have turned inside out, the march may have become unstable, or a load or material "
+              "is out of range: try more [time] "
+              "snapshots to see where it begins, a gentler load, or a smaller --safety"
+            : "the march has become unstable, or a load or material is out of range: try a smaller --safety");
   created_ = std::max(created_, -l.plastic);
   const double supplied = initial_energy_ + external_passed_ + created_, from_nowhere = -l.imbalance();
   const double held = l.strain + l.hourglass + l.contact, most = allowance();
@@ -77,17 +85,28 @@ void March::look_at_energy(const Ledger& l) {
   if (moving <= most && held <= most && from_nowhere <= tolerance * supplied + 1e-12) return;
   look_at_units();  // a unit that cannot be followed is the nearer cause
   const std::string place = fastest_point();
-  const std::string grown = from_nowhere > tolerance * supplied + 1e-12
-                                ? fmt::format("{:.3g} J of energy have come from nowhere, with {:.3g} J supplied by loads and the start", from_nowhere, supplied)
-                                : fmt::format("the energy has grown to {:.3g} J, with {:.3g} J supplied by loads and the start", std::max(moving, held), supplied);
+  const std::string grown =
+      from_nowhere > tolerance * supplied + 1e-12
+          ? fmt::format(
+                "{:.3g} J of energy have come from nowhere, with {:.3g} J supplied by loads and the start",
+                from_nowhere, supplied)
+          : fmt::format("the energy has grown to {:.3g} J, with {:.3g} J supplied by loads and the start",
+                        std::max(moving, held), supplied);
   const double omega = frequency_of_motion();
   if (omega * dt_ > 1.95)
-    fail(Stopped::Watch::step, place, fmt::format("{}; what grows has a frequency of {:.4g} rad/s, which no step above {:.4g} s can follow, and the step is {:.4g} s", grown, omega, 2 / omega, dt_),
-         fmt::format("the deformed body is stiffer than at the start: try --safety {:.2g}", 0.8 * 2 / omega / critical_now_));
-  fail(Stopped::Watch::energy, place, grown, "the march or the discretization is unstable there: try a smaller --safety, a finer spacing or another method");
+    fail(Stopped::Watch::step, place,
+         fmt::format("{}; what grows has a frequency of {:.4g} rad/s, which no step above {:.4g} s can "
+                     "follow, and the step is {:.4g} s",
+                     grown, omega, 2 / omega, dt_),
+         fmt::format("the deformed body is stiffer than at the start: try --safety {:.2g}",
+                     0.8 * 2 / omega / critical_now_));
+  fail(Stopped::Watch::energy, place, grown,
+       "the march or the discretization is unstable there: try a smaller --safety, a finer spacing or "
+       "another method");
 }
 
-/// Of what moves most, from one more step: omega^2 = -du . df / (du . M du), a Rayleigh quotient of the tangent stiffness.
+/// Of what moves most, from one more step: omega^2 = -du . df / (du . M du), a Rayleigh quotient of the
+/// tangent stiffness.
 double March::frequency_of_motion() {
   double most = 0;
   MemoryArchive here;
@@ -106,7 +125,8 @@ double March::frequency_of_motion() {
         work -= body.v[i] * (body.f[i] - before[b][i]);
         inertia += body.v[i] * body.v[i] / body.inverse_mass[i];
       }
-      if (work > 0 && std::isfinite(work) && inertia > 0) most = std::max(most, std::sqrt(work / (dt_ * inertia)));
+      if (work > 0 && std::isfinite(work) && inertia > 0)
+        most = std::max(most, std::sqrt(work / (dt_ * inertia)));
     }
   } catch (const MotionError&) {  // a contact that does not take that step: then the frequency stays unknown
   }
@@ -119,10 +139,13 @@ void March::look_at_units() {
   if (!scene_.large_motion) return;
   for (const MovingBody& body : bodies_)
     if (const auto trouble = body.discretization->trouble(body.u.data()))
-      fail(Stopped::Watch::unit, fmt::format("body \"{}\", at {}", body.name, in_metres(trouble->position)), trouble->what, trouble->advice);
+      fail(Stopped::Watch::unit, fmt::format("body \"{}\", at {}", body.name, in_metres(trouble->position)),
+           trouble->what, trouble->advice);
 }
 
-void March::keep_good_states() { keep_good_ = scene_.large_motion || scene_.is_plastic() || !contacts_.empty(); }
+void March::keep_good_states() {
+  keep_good_ = scene_.large_motion || scene_.is_plastic() || !contacts_.empty();
+}
 
 bool March::return_to_good_state() {
   if (good_.empty()) return false;
@@ -130,7 +153,8 @@ bool March::return_to_good_state() {
   return true;
 }
 
-/// The likeliest place of a trouble that shows in energies only; or the first point whose velocity is no number.
+/// The likeliest place of a trouble that shows in energies only; or the first point whose velocity is no
+/// number.
 std::string March::fastest_point() const {
   std::string place = "unknown place";
   double fastest = -1;
@@ -138,7 +162,8 @@ std::string March::fastest_point() const {
     const Layout& at = body.discretization->layout();
     for (std::size_t i = 0; i < at.points; ++i) {
       double speed = 0;
-      for (int c = 0; c < at.dim; ++c) speed += body.v[at.at(i, c)] * body.v[at.at(i, c)] + 0 * body.f[at.at(i, c)];
+      for (int c = 0; c < at.dim; ++c)
+        speed += body.v[at.at(i, c)] * body.v[at.at(i, c)] + 0 * body.f[at.at(i, c)];
       if (speed <= fastest) continue;
       fastest = speed;
       const Point x = body.discretization->position(i);
@@ -149,8 +174,10 @@ std::string March::fastest_point() const {
   return place;
 }
 
-void March::fail(Stopped::Watch watch, const std::string& place, const std::string& what, const std::string& advice) const {
-  throw Stopped(watch, fmt::format("stopped at step {} (t = {:.6g} s), {}: {}; {}", step_, time(), place, what, advice));
+void March::fail(Stopped::Watch watch, const std::string& place, const std::string& what,
+                 const std::string& advice) const {
+  throw Stopped(watch, fmt::format("stopped at step {} (t = {:.6g} s), {}: {}; {}", step_, time(), place,
+                                   what, advice));
 }
 
 }  // namespace femsph

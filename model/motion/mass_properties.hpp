@@ -17,7 +17,8 @@ MassProperties mass_of(const Scene& scene, std::size_t body);
 /// The sums over the points of a discretization.
 MassProperties mass_of(const Discretization& discretization);
 
-/// How far a discretization is off: its mass relative to the scene's, the centre relative to the diagonal of the body's bounding box.
+/// How far a discretization is off: its mass relative to the scene's, the centre relative to the diagonal of
+/// the body's bounding box.
 struct MassError {
   double mass = 0, centre = 0;
 };

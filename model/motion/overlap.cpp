@@ -13,7 +13,8 @@ namespace {
 using Bounds = BoxGrid::Box;
 
 void widen(Bounds& box, const Point& p) {
-  for (int c = 0; c < 3; ++c) box.lower[c] = std::min(box.lower[c], p[c]), box.upper[c] = std::max(box.upper[c], p[c]);
+  for (int c = 0; c < 3; ++c)
+    box.lower[c] = std::min(box.lower[c], p[c]), box.upper[c] = std::max(box.upper[c], p[c]);
 }
 
 int corner_count(const Surface& s) { return 2 * (s.dim - 1); }
@@ -33,7 +34,8 @@ void each_triangle(const Surface& s, const Facet& f, Take&& take) {
   take(p[0], p[2], p[3]);
 }
 
-/// Twice the area of a, b, p seen along x. Exactly the opposite for b, a and never zero, so that a ray through an edge meets one of its two facets.
+/// Twice the area of a, b, p seen along x. Exactly the opposite for b, a and never zero, so that a ray
+/// through an edge meets one of its two facets.
 double area_along_x(const Surface& s, std::size_t a, std::size_t b, const Point& p) {
   const bool turned = a > b;
   if (turned) std::swap(a, b);
@@ -43,7 +45,8 @@ double area_along_x(const Surface& s, std::size_t a, std::size_t b, const Point&
   return turned ? -area : area;
 }
 
-/// +1 where the ray from p along x leaves the body by the triangle a, b, c (in a plane: by the segment a, b), -1 where it enters, 0 where it misses.
+/// +1 where the ray from p along x leaves the body by the triangle a, b, c (in a plane: by the segment a, b),
+/// -1 where it enters, 0 where it misses.
 int crossing(const Surface& s, std::size_t a, std::size_t b, std::size_t c, const Point& p) {
   const Point &A = s.now[a], &B = s.now[b], &C = s.now[c];
   if (s.dim == 2) {
@@ -57,8 +60,10 @@ int crossing(const Surface& s, std::size_t a, std::size_t b, std::size_t c, cons
   return x <= p[0] ? 0 : ab > 0 ? 1 : -1;
 }
 
-/// Where p -> q goes through the triangle a, b, c (in a plane: the segment a, b), farther than `tolerance` from its own ends and from the edges.
-std::optional<Point> piercing(int dim, const Point& p, const Point& q, const Point& a, const Point& b, const Point& c, double tolerance) {
+/// Where p -> q goes through the triangle a, b, c (in a plane: the segment a, b), farther than `tolerance`
+/// from its own ends and from the edges.
+std::optional<Point> piercing(int dim, const Point& p, const Point& q, const Point& a, const Point& b,
+                              const Point& c, double tolerance) {
   Point n = dim == 2 ? Point{b[1] - a[1], a[0] - b[0], 0} : cross(b - a, c - a);
   const double size = norm(n);
   if (!(size > 0)) return {};
@@ -97,13 +102,15 @@ std::optional<Overlap> reach_into(const Surface& s, const Box& box, double toler
   for (const Facet& f : s.facets) {
     const Bounds own = bounds_of(s, f);
     bool near = true;
-    for (int c = 0; c < s.dim; ++c) near = near && own.lower[c] < upper[c] - tolerance && own.upper[c] > lower[c] + tolerance;
+    for (int c = 0; c < s.dim; ++c)
+      near = near && own.lower[c] < upper[c] - tolerance && own.upper[c] > lower[c] + tolerance;
     if (!near) continue;
     std::optional<Overlap> found;
     each_triangle(s, f, [&](std::size_t a, std::size_t b, std::size_t c) {
       std::vector<Point> part{s.now[a], s.now[b]};
       if (s.dim == 3) part.push_back(s.now[c]);
-      for (int d = 0; d < s.dim; ++d) part = cut(cut(part, d, lower[d] + tolerance, false), d, upper[d] - tolerance, true);
+      for (int d = 0; d < s.dim; ++d)
+        part = cut(cut(part, d, lower[d] + tolerance, false), d, upper[d] - tolerance, true);
       if (part.empty()) return;
       Point middle{};
       for (const Point& p : part) middle = middle + (1.0 / double(part.size())) * p;
@@ -142,12 +149,15 @@ bool Enclosure::reaches(const Point& p, double tolerance) const {
 }
 
 int Enclosure::winding(const Point& p) const {
-  // A hair beside p, so that on a lattice the ray meets no row of points; what lies that near to the boundary counts as touching.
+  // A hair beside p, so that on a lattice the ray meets no row of points; what lies that near to the boundary
+  // counts as touching.
   const double hair = 1e-7 * surface_.spacing;
   const Point q{p[0], p[1] + 0.618 * hair, p[2] + (surface_.dim == 3 ? 0.414 * hair : 0.0)};
   int turns = 0;
   columns_.any_near({0, q[1], q[2]}, 0, [&](int f) {
-    each_triangle(surface_, surface_.facets[std::size_t(f)], [&](std::size_t a, std::size_t b, std::size_t c) { turns += crossing(surface_, a, b, c, q); });
+    each_triangle(
+        surface_, surface_.facets[std::size_t(f)],
+        [&](std::size_t a, std::size_t b, std::size_t c) { turns += crossing(surface_, a, b, c, q); });
     return false;
   });
   return turns;
@@ -179,13 +189,16 @@ std::optional<Point> Enclosure::pierced_by(const Surface& other, double toleranc
       Bounds box{p, p};
       widen(box, q);
       bool near = true;
-      for (int c = 0; c < other.dim; ++c) near = near && box.lower[c] < bounds_.upper[c] && box.upper[c] > bounds_.lower[c];
+      for (int c = 0; c < other.dim; ++c)
+        near = near && box.lower[c] < bounds_.upper[c] && box.upper[c] > bounds_.lower[c];
       if (!near) continue;
       std::optional<Point> at;
       grid_.any_near(0.5 * (p + q), 0.5 * norm(q - p), [&](int own) {
-        each_triangle(surface_, surface_.facets[std::size_t(own)], [&](std::size_t a, std::size_t b, std::size_t c) {
-          if (!at) at = piercing(other.dim, p, q, surface_.now[a], surface_.now[b], surface_.now[c], tolerance);
-        });
+        each_triangle(
+            surface_, surface_.facets[std::size_t(own)], [&](std::size_t a, std::size_t b, std::size_t c) {
+              if (!at)
+                at = piercing(other.dim, p, q, surface_.now[a], surface_.now[b], surface_.now[c], tolerance);
+            });
         return at.has_value();
       });
       if (at) return at;
@@ -209,7 +222,8 @@ std::optional<Overlap> overlap_of(const Surface& a, const Shape& rigid, double t
   } else {
     const auto* ball = dynamic_cast<const Ball*>(&rigid);
     for (const Point& p : a.now)
-      if (rigid.contains(p, -tolerance)) return Overlap{p, ball ? ball->radius() - norm(p - ball->centre()) : 0.0};
+      if (rigid.contains(p, -tolerance))
+        return Overlap{p, ball ? ball->radius() - norm(p - ball->centre()) : 0.0};
   }
   const Point centre = 0.5 * (rigid.lower() + rigid.upper());
   if (const double depth = Enclosure(a).depth(centre, tolerance); depth > 0) return Overlap{centre, depth};

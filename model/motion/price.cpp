@@ -21,7 +21,8 @@ double seconds(clockid_t clock) {
 double cpu_seconds() { return seconds(CLOCK_PROCESS_CPUTIME_ID); }
 double wall_seconds() { return seconds(CLOCK_MONOTONIC); }
 
-/// VmHWM rather than getrusage: the latter's maximum survives exec, so that it may be that of the script that started us.
+/// VmHWM rather than getrusage: the latter's maximum survives exec, so that it may be that of the script that
+/// started us.
 std::size_t peak_memory() {
   std::ifstream status("/proc/self/status");
   for (std::string key; status >> key; status.ignore(1 << 12, '\n')) {
@@ -34,7 +35,8 @@ std::size_t peak_memory() {
 }
 
 void Price::add(const std::string& phase, double seconds) {
-  const auto found = std::find_if(phases.begin(), phases.end(), [&](const auto& p) { return p.first == phase; });
+  const auto found = std::find_if(
+      phases.begin(), phases.end(), [&](const auto& p) { return p.first == phase; });
   if (found != phases.end())
     found->second += seconds;
   else

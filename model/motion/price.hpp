@@ -16,13 +16,14 @@ std::size_t peak_memory();
 
 struct Price {
   long steps = 0;
-  double dt = 0;              ///< s
-  double cpu = 0, wall = 0;   ///< s, of the march (set-up is a phase)
-  double total_cpu = 0;       ///< s, of the whole run: set-up, critical step, march, output
+  double dt = 0;             ///< s
+  double cpu = 0, wall = 0;  ///< s, of the march (set-up is a phase)
+  double total_cpu = 0;      ///< s, of the whole run: set-up, critical step, march, output
   int threads = 1;
-  std::size_t units = 0;      ///< particles or elements
-  std::size_t bytes = 0;      ///< held by discretizations and march
-  std::vector<std::pair<std::string, double>> phases;  ///< wall seconds per phase: setup, critical step, march, output
+  std::size_t units = 0;  ///< particles or elements
+  std::size_t bytes = 0;  ///< held by discretizations and march
+  std::vector<std::pair<std::string, double>>
+      phases;  ///< wall seconds per phase: setup, critical step, march, output
   void add(const std::string& phase, double seconds);
   /// CPU nanoseconds per particle- or element-step.
   double nanoseconds() const { return steps && units ? 1e9 * cpu / (double(steps) * double(units)) : 0.0; }
@@ -31,7 +32,8 @@ struct Price {
 /// Adds the wall time of a scope to a phase.
 class PhaseTimer {
  public:
-  PhaseTimer(Price& price, std::string phase) : price_(price), phase_(std::move(phase)), start_(wall_seconds()) {}
+  PhaseTimer(Price& price, std::string phase)
+      : price_(price), phase_(std::move(phase)), start_(wall_seconds()) {}
   ~PhaseTimer() { price_.add(phase_, wall_seconds() - start_); }
   PhaseTimer(const PhaseTimer&) = delete;
 

@@ -17,7 +17,8 @@ Point place_of(const March& march, const MovingBody& body, std::size_t point) {
 std::pair<std::size_t, int> component_of(const Layout& at, std::size_t slot) {
   const std::size_t k = slot - at.offset;
   if (at.component_stride == 1) return {k / at.point_stride, int(k % at.point_stride)};  // side by side
-  return {(k % at.component_stride) / at.point_stride, int(k / at.component_stride)};    // a row for each component
+  return {
+      (k % at.component_stride) / at.point_stride, int(k / at.component_stride)};  // a row for each component
 }
 
 std::vector<std::pair<Point, Point>> Reaction::forces(const March& march) const {
@@ -25,7 +26,8 @@ std::vector<std::pair<Point, Point>> Reaction::forces(const March& march) const 
   out.reserve(parts.size());
   for (const Part& part : parts) {
     Point f{};
-    f[part.component] = part.share * march.reaction(*body, body->discretization->layout().at(part.point, part.component));
+    f[part.component] = part.share *
+                        march.reaction(*body, body->discretization->layout().at(part.point, part.component));
     out.emplace_back(place_of(march, *body, part.point), f);
   }
   return out;
@@ -53,7 +55,9 @@ Reaction reaction_of(const March& march, const Place& place, std::size_t hold) {
   const MovingBody& body = march.body(place.body);
   Reaction out{&body, {}, body.discretization->points_of(place)};
   for (auto first = body.held.begin(); first != body.held.end();) {
-    const auto same = [&](const MovingBody::Held& h) { return h.point == first->point && h.component == first->component; };
+    const auto same = [&](const MovingBody::Held& h) {
+      return h.point == first->point && h.component == first->component;
+    };
     const auto end = std::find_if_not(first, body.held.end(), same);
     for (auto held = first; held != end; ++held)
       if (held->hold == hold) out.parts.push_back({held->point, held->component, 1.0 / double(end - first)});
@@ -64,13 +68,16 @@ Reaction reaction_of(const March& march, const Place& place, std::size_t hold) {
 
 }  // namespace
 
-Reaction reaction_of(const March& march, std::size_t hold) { return reaction_of(march, march.scene().holds()[hold].place, hold); }
+Reaction reaction_of(const March& march, std::size_t hold) {
+  return reaction_of(march, march.scene().holds()[hold].place, hold);
+}
 
 std::vector<Reaction> all_reactions(const March& march) {
   std::vector<Reaction> out;
   const std::vector<Support> holds = march.scene().holds();
   for (std::size_t h = 0; h < holds.size(); ++h)
-    if (!holds[h].mean && !march.scene().bodies[holds[h].place.body].rigid) out.push_back(reaction_of(march, holds[h].place, h));
+    if (!holds[h].mean && !march.scene().bodies[holds[h].place.body].rigid)
+      out.push_back(reaction_of(march, holds[h].place, h));
   return out;
 }
 

@@ -1,9 +1,10 @@
 #pragma once
 // What supports exert on their bodies.
 //
-// A component that several supports (or symmetry planes) hold counts in each with an equal share, so that the sum over all of them is what holds
-// the body; one that only one of them holds counts there whole. Moments are taken about the centroid of the support's place: the
-// mean of its points with their shares of the area, moving with them in large motion.
+// A component that several supports (or symmetry planes) hold counts in each with an equal share, so that the
+// sum over all of them is what holds the body; one that only one of them holds counts there whole. Moments
+// are taken about the centroid of the support's place: the mean of its points with their shares of the area,
+// moving with them in large motion.
 
 #include <utility>
 #include <vector>

@@ -9,7 +9,11 @@
 namespace femsph {
 
 RigidBody::RigidBody(const Scene& scene, std::size_t i)
-    : name(scene.bodies[i].name), index(i), dim(scene.dim()), shape(scene.bodies[i].shape), mass(scene.bodies[i].mass) {
+    : name(scene.bodies[i].name),
+      index(i),
+      dim(scene.dim()),
+      shape(scene.bodies[i].shape),
+      mass(scene.bodies[i].mass) {
   const Point lower = shape->lower(), upper = shape->upper();
   start = 0.5 * (lower + upper);
   if (const auto* ball = dynamic_cast<const Ball*>(shape.get())) {
@@ -48,7 +52,8 @@ double RigidBody::reach() const { return 0.5 * norm(shape->upper() - shape->lowe
 
 double RigidBody::surface() const {
   const double pi = std::acos(-1.0);
-  if (const auto* ball = dynamic_cast<const Ball*>(shape.get())) return dim == 2 ? 2 * pi * ball->radius() : 4 * pi * ball->radius() * ball->radius();
+  if (const auto* ball = dynamic_cast<const Ball*>(shape.get()))
+    return dim == 2 ? 2 * pi * ball->radius() : 4 * pi * ball->radius() * ball->radius();
   const Point s = shape->upper() - shape->lower();
   return dim == 2 ? 2 * (s[0] + s[1]) : 2 * (s[0] * s[1] + s[1] * s[2] + s[2] * s[0]);
 }
@@ -138,7 +143,8 @@ Point turned(const Point& x, const Point& w) {
 void RigidBody::drift(double dt) {
   moved = moved + dt * velocity;
   if (dot(spin, spin) == 0) return;
-  // The inertia in space turns with the body: the rate that belongs to the spin is taken at the middle of the step.
+  // The inertia in space turns with the body: the rate that belongs to the spin is taken at the middle of the
+  // step.
   const std::array<Point, 3> before = axes;
   const Point first = rate();
   for (Point& axis : axes) axis = turned(axis, 0.5 * dt * first);

@@ -1,5 +1,6 @@
 #pragma once
-// Bodies that move and turn as a whole. A rigid body is no discretization: its surface is its shape, and contact asks that.
+// Bodies that move and turn as a whole. A rigid body is no discretization: its surface is its shape, and
+// contact asks that.
 
 #include <array>
 #include <string>
@@ -22,26 +23,26 @@ struct RigidBody {
   RigidBody(const Scene& scene, std::size_t index);
 
   std::string name;
-  std::size_t index;                 ///< into Scene::bodies
+  std::size_t index;  ///< into Scene::bodies
   int dim;
   std::shared_ptr<const Shape> shape;
-  double mass;                       ///< kg
-  Point inertia{};                   ///< about the axes of the shape, kg m^2
-  Point start{};                     ///< centre at the start, m
-  Point moved{}, velocity{};         ///< displacement of the centre; its velocity at the last half step
-  Point spin{};                      ///< angular momentum about the centre at the last half step, in space, kg m^2/s
-  Point force{}, moment{};           ///< on the centre, N and N m
+  double mass;                ///< kg
+  Point inertia{};            ///< about the axes of the shape, kg m^2
+  Point start{};              ///< centre at the start, m
+  Point moved{}, velocity{};  ///< displacement of the centre; its velocity at the last half step
+  Point spin{};               ///< angular momentum about the centre at the last half step, in space, kg m^2/s
+  Point force{}, moment{};    ///< on the centre, N and N m
   std::array<Point, 3> axes{Point{1, 0, 0}, Point{0, 1, 0}, Point{0, 0, 1}};  ///< of the shape, in space
-  double angle = 0;                  ///< in a plane, rad
+  double angle = 0;                                                           ///< in a plane, rad
   std::array<bool, 3> held{}, held_turn{};
 
   Point centre() const { return {start[0] + moved[0], start[1] + moved[1], start[2] + moved[2]}; }
-  Point rate() const { return rate_of(spin); }       ///< angular velocity, rad/s
+  Point rate() const { return rate_of(spin); }  ///< angular velocity, rad/s
   Point rate_of(const Point& spin) const;
   Point velocity_at(const Point& x) const;
-  void push(const Point& x, const Point& f);         ///< adds a force f at x
-  double reach() const;                              ///< no point of the body is farther from its centre, m
-  double surface() const;                            ///< area (perimeter in 2D), m^(dim-1)
+  void push(const Point& x, const Point& f);  ///< adds a force f at x
+  double reach() const;                       ///< no point of the body is farther from its centre, m
+  double surface() const;                     ///< area (perimeter in 2D), m^(dim-1)
   /// Mass that the body opposes at least to a push anywhere on it: 1/M + r^2/I, kg; infinite if it is fixed.
   double least_mass() const;
   /// Sides of a box, or one of a ball.
@@ -50,13 +51,15 @@ struct RigidBody {
 
   /// Loads and gravity at time t, in place of what was there.
   void load(const Scene& scene, double t);
-  /// Leap-frog: velocity and spin by the force, then the place by the velocity. keep and push as in March::kinetic().
+  /// Leap-frog: velocity and spin by the force, then the place by the velocity. keep and push as in
+  /// March::kinetic().
   void kick(double keep, double push);
   void drift(double dt);
   /// From velocity and spin at the start to those half a step before (see March::start_velocities).
   void start_from(double keep, double push);
   void state(Archive& archive);
-  /// Velocity of the centre and angular momentum about it at the whole step: the means of the half steps around it.
+  /// Velocity of the centre and angular momentum about it at the whole step: the means of the half steps
+  /// around it.
   std::array<Point, 2> half_way(double keep, double push) const;
   /// m |v+ - v-|^2, and of the turning likewise.
   double energy_of_kick(double keep, double push) const;

@@ -32,7 +32,8 @@ Stand stand_over_patch(const std::array<Point, 4>& x, const Point& p) {
     along = (1 - b) * (x[1] - x[0]) + b * (x[2] - x[3]);
     across = (1 - a) * (x[3] - x[0]) + a * (x[2] - x[1]);
     const Point off = p - r.foot;
-    const double aa = dot(along, along), bb = dot(across, across), ab = dot(along, across), ra = dot(off, along), rb = dot(off, across);
+    const double aa = dot(along, along), bb = dot(across, across), ab = dot(along, across),
+                 ra = dot(off, along), rb = dot(off, across);
     const double det = aa * bb - ab * ab, da = (bb * ra - ab * rb) / det, db = (aa * rb - ab * ra) / det;
     if (turn == 8 || std::abs(da) + std::abs(db) < 1e-14) break;
     a = std::clamp(a + da, -0.5, 1.5);
@@ -41,7 +42,8 @@ Stand stand_over_patch(const std::array<Point, 4>& x, const Point& p) {
   r.normal = cross(along, across);
   r.normal = (1 / norm(r.normal)) * r.normal;
   r.gap = dot(p - r.foot, r.normal);
-  r.beyond = std::max({0.0, -a * norm(along), (a - 1) * norm(along), -b * norm(across), (b - 1) * norm(across)});
+  r.beyond = std::max(
+      {0.0, -a * norm(along), (a - 1) * norm(along), -b * norm(across), (b - 1) * norm(across)});
   return r;
 }
 
@@ -52,7 +54,9 @@ Stand stand_over(int dim, const std::array<Point, 4>& corners, const Point& p) {
 }
 
 Surface::Surface(const MovingBody& body, double density, double out_of_plane)
-    : dim(body.discretization->layout().dim), spacing(body.discretization->spacing()), thickness(out_of_plane) {
+    : dim(body.discretization->layout().dim),
+      spacing(body.discretization->spacing()),
+      thickness(out_of_plane) {
   const Discretization& d = *body.discretization;
   facets = d.boundary();
   std::vector<std::size_t> number(d.layout().points, d.layout().points);

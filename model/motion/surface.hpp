@@ -1,5 +1,6 @@
 #pragma once
-// The boundary of a deformable body, as contact sees it: points that move, facets between them, and the area each point stands for.
+// The boundary of a deformable body, as contact sees it: points that move, facets between them, and the area
+// each point stands for.
 
 #include <vector>
 
@@ -11,7 +12,8 @@ namespace femsph {
 
 struct MovingBody;
 
-/// Where p stands to a facet. 2D: the foot divides the segment; 3D: Gauss-Newton for the nearest point of the bilinear patch.
+/// Where p stands to a facet. 2D: the foot divides the segment; 3D: Gauss-Newton for the nearest point of the
+/// bilinear patch.
 Stand stand_over(int dim, const std::array<Point, 4>& corners, const Point& p);
 
 struct Surface {
@@ -25,11 +27,13 @@ struct Surface {
   std::vector<Point> reference, now;  ///< m; `now` of `active` points is kept up to date
   std::vector<Point> force;           ///< N, of this contact on each point
   std::vector<Point> area;            ///< outward vector area that each point stands for, m^2
-  std::vector<double> area_limit;     ///< m / (rho d/2), m^2: no point counts more than a face of its mass would
-  std::vector<std::size_t> active;    ///< those that the last search left to compute with
+  std::vector<double> area_limit;  ///< m / (rho d/2), m^2: no point counts more than a face of its mass would
+  std::vector<std::size_t> active;  ///< those that the last search left to compute with
 
-  std::array<Point, 4> corners(const Facet& f) const { return {now[f.points[0]], now[f.points[1]], now[f.points[2]], now[f.points[3]]}; }
-  double facet_area() const;          ///< mean, m^2
+  std::array<Point, 4> corners(const Facet& f) const {
+    return {now[f.points[0]], now[f.points[1]], now[f.points[2]], now[f.points[3]]};
+  }
+  double facet_area() const;  ///< mean, m^2
   void move_all(const MovingBody& body);
   void move_active(const MovingBody& body);
   /// Vector areas where the points are now.

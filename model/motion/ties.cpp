@@ -21,11 +21,13 @@ Ties::Frame Ties::frame(const Tie& tie, const std::vector<Point>& x) const {
   return f;
 }
 
-std::vector<Point> Ties::gather(const std::vector<MovingBody>& bodies, AlignedVector<double> MovingBody::* vector) const {
+std::vector<Point> Ties::gather(const std::vector<MovingBody>& bodies,
+                                AlignedVector<double> MovingBody::*vector) const {
   std::vector<Point> out(nodes_.size());
   for (std::size_t k = 0; k < nodes_.size(); ++k) {
     const MovingBody& body = bodies[nodes_[k].body];
-    for (int c = 0; c < dim_; ++c) out[k][c] = (body.*vector)[body.discretization->layout().at(nodes_[k].point, c)];
+    for (int c = 0; c < dim_; ++c)
+      out[k][c] = (body.*vector)[body.discretization->layout().at(nodes_[k].point, c)];
   }
   return out;
 }
@@ -57,7 +59,8 @@ void Ties::apply(const std::vector<Frame>& frames, const std::vector<Point>& x, 
   }
 }
 
-void Ties::spread(const std::vector<Frame>& frames, const std::vector<Point>& l, std::vector<Point>& force) const {
+void Ties::spread(const std::vector<Frame>& frames, const std::vector<Point>& l,
+                  std::vector<Point>& force) const {
   std::fill(force.begin(), force.end(), Point{});
   for (std::size_t k = 0; k < ties_.size(); ++k) {
     const Tie& tie = ties_[k];
@@ -70,7 +73,8 @@ void Ties::spread(const std::vector<Frame>& frames, const std::vector<Point>& l,
       across = cross(w, f.along);
     }
     for (int c = 0; c < tie.corners; ++c)
-      force[tie.facet[c]] = force[tie.facet[c]] - tie.share[c] * l[k] - tie.along[c] * along - tie.across[c] * across;
+      force[tie.facet[c]] = force[tie.facet[c]] - tie.share[c] * l[k] - tie.along[c] * along -
+                            tie.across[c] * across;
   }
   if (dim_ == 2)
     for (Point& f : force) f[2] = 0;
@@ -92,7 +96,8 @@ std::vector<Point> Ties::solve(const std::vector<Frame>& frames, const std::vect
   for (std::size_t k = 0; k < n; ++k)
     for (int c = 0; c < dim_; ++c) {
       double s = nodes_[ties_[k].node].inverse_mass[c];
-      for (int a = 0; a < ties_[k].corners; ++a) s += ties_[k].share[a] * ties_[k].share[a] * nodes_[ties_[k].facet[a]].inverse_mass[c];
+      for (int a = 0; a < ties_[k].corners; ++a)
+        s += ties_[k].share[a] * ties_[k].share[a] * nodes_[ties_[k].facet[a]].inverse_mass[c];
       scale[k][c] = s > 0 ? 1 / s : 0;  // both sides held: no force is needed, and none is found
       if (s == 0) r[k][c] = 0;
     }
@@ -121,7 +126,8 @@ std::vector<Point> Ties::solve(const std::vector<Frame>& frames, const std::vect
   return l;
 }
 
-void Ties::add_forces(std::vector<MovingBody>& bodies, double keep, double push, double dt, double step_before, bool first) {
+void Ties::add_forces(std::vector<MovingBody>& bodies, double keep, double push, double dt,
+                      double step_before, bool first) {
   const std::vector<Frame> frames = this->frames(bodies);
   const std::vector<Point> u = gather(bodies, &MovingBody::u), v = gather(bodies, &MovingBody::v);
   // What the step would do without ties: (g / dt + keep G v) / push + G M^-1 f.
@@ -129,7 +135,8 @@ void Ties::add_forces(std::vector<MovingBody>& bodies, double keep, double push,
   for (std::size_t k = 0; k < nodes_.size(); ++k) {
     const MovingBody& body = bodies[nodes_[k].body];
     for (int c = 0; c < dim_; ++c) {
-      if (!body.viscous.empty()) move[k][c] += body.viscous[body.discretization->layout().at(nodes_[k].point, c)];
+      if (!body.viscous.empty())
+        move[k][c] += body.viscous[body.discretization->layout().at(nodes_[k].point, c)];
       move[k][c] *= nodes_[k].inverse_mass[c];
     }
     if (!first) move[k] = move[k] + (keep / push) * v[k];
@@ -147,7 +154,8 @@ void Ties::add_forces(std::vector<MovingBody>& bodies, double keep, double push,
   double work = 0;
   for (std::size_t k = 0; k < nodes_.size(); ++k) {
     MovingBody& body = bodies[nodes_[k].body];
-    for (int c = 0; c < dim_; ++c) body.f[body.discretization->layout().at(nodes_[k].point, c)] += force_[k][c];
+    for (int c = 0; c < dim_; ++c)
+      body.f[body.discretization->layout().at(nodes_[k].point, c)] += force_[k][c];
     work += femsph::dot(v[k], before[k] + force_[k]);
   }
   if (!first) taken_ -= 0.5 * step_before * work;
@@ -166,7 +174,8 @@ void Ties::match_velocities(std::vector<MovingBody>& bodies) const {
   spread(frames, solve(frames, b), impulse);
   for (std::size_t k = 0; k < nodes_.size(); ++k)
     for (int c = 0; c < dim_; ++c)
-      bodies[nodes_[k].body].v[bodies[nodes_[k].body].discretization->layout().at(nodes_[k].point, c)] += nodes_[k].inverse_mass[c] * impulse[k][c];
+      bodies[nodes_[k].body].v[bodies[nodes_[k].body].discretization->layout().at(nodes_[k].point, c)] +=
+          nodes_[k].inverse_mass[c] * impulse[k][c];
 }
 
 }  // namespace femsph

@@ -9,19 +9,21 @@
 #include "model/motion/march.hpp"
 #include "model/motion/overlap.hpp"
 #include "model/motion/ties.hpp"
-#include "model/numerics/vectors.hpp"
 #include "model/numerics/box_grid.hpp"
+#include "model/numerics/vectors.hpp"
 
 namespace femsph {
 
 namespace {
 
 [[noreturn]] void refuse(const Scene& scene, const Contact& contact, const std::string& what) {
-  throw MotionError(fmt::format("{}:{}:{}: contact \"{}\": {}", scene.file, contact.source.line, contact.source.column, contact.name, what));
+  throw MotionError(fmt::format("{}:{}:{}: contact \"{}\": {}", scene.file, contact.source.line,
+                                contact.source.column, contact.name, what));
 }
 
 /// N_c = (1 - a)(1 - b), a (1 - b), a b, (1 - a) b: their derivatives by a and b.
-void differentiate(const std::array<double, 4>& n, int dim, std::array<double, 4>& by_a, std::array<double, 4>& by_b) {
+void differentiate(const std::array<double, 4>& n, int dim, std::array<double, 4>& by_a,
+                   std::array<double, 4>& by_b) {
   if (dim == 2) {
     by_a = {-1, 1, 0, 0};
     by_b = {};
@@ -32,16 +34,18 @@ void differentiate(const std::array<double, 4>& n, int dim, std::array<double, 4
   by_b = {a - 1, -a, a, 1 - a};
 }
 
-/// Of two bodies the one with the smaller facets gives the points, so that none of its partner's facets hangs between two ties; of equal
-/// ones the lighter for its stiffness.
+/// Of two bodies the one with the smaller facets gives the points, so that none of its partner's facets hangs
+/// between two ties; of equal ones the lighter for its stiffness.
 bool gives_points(const Surface& mine, const Surface& other, double my_impedance, double other_impedance) {
   const double a = mine.facet_area(), b = other.facet_area();
   return std::abs(a - b) > 0.01 * std::max(a, b) ? a < b : my_impedance <= other_impedance;
 }
 
-/// A point of the other body deep in this one. A shape of its own knows its curved sides exactly; of a body that is known by its facets alone,
-/// and of what particles make of it, a quarter of a spacing is allowed for those between them.
-std::optional<Overlap> mass_twice(const Surface& body, const Shape& shape, const Surface& other, double spacing) {
+/// A point of the other body deep in this one. A shape of its own knows its curved sides exactly; of a body
+/// that is known by its facets alone, and of what particles make of it, a quarter of a spacing is allowed for
+/// those between them.
+std::optional<Overlap> mass_twice(const Surface& body, const Shape& shape, const Surface& other,
+                                  double spacing) {
   const Enclosure enclosure(body);
   const double tolerance = shape.cells() ? 0.25 * std::max(body.spacing, other.spacing) : 0.05 * spacing;
   for (const Point& p : other.now) {
@@ -65,28 +69,36 @@ void Ties::tie(const Scene& scene, const Contact& contact, const std::vector<Mov
   std::array<double, 2> impedance{};
   std::array<const MovingBody*, 2> moving{};
   for (int s = 0; s < 2; ++s) {
-    const auto found = std::find_if(bodies.begin(), bodies.end(), [&](const MovingBody& body) { return body.index == contact.between[s]; });
+    const auto found = std::find_if(bodies.begin(), bodies.end(), [&](const MovingBody& body) {
+      return body.index == contact.between[s];
+    });
     party[s] = std::size_t(found - bodies.begin());
     moving[s] = &*found;
     const double density = scene.material_of(scene.bodies[found->index]).density;
     surfaces.emplace_back(*found, density, dim_ == 2 ? scene.bodies[found->index].thickness : 1.0);
     impedance[s] = density * found->discretization->wave_speed();
-    if (surfaces[s].facets.empty()) refuse(scene, contact, fmt::format("body \"{}\" has no boundary between its points", found->name));
+    if (surfaces[s].facets.empty())
+      refuse(scene, contact, fmt::format("body \"{}\" has no boundary between its points", found->name));
   }
   const int mine = gives_points(surfaces[0], surfaces[1], impedance[0], impedance[1]) ? 0 : 1;
   const Surface &points = surfaces[mine], &facets = surfaces[1 - mine];
   const double spacing = 0.5 * (points.spacing + facets.spacing);
   const double reach = 1.1 * spacing;
   for (int s = 0; s < 2; ++s)
-    if (const auto found = mass_twice(surfaces[s], *scene.bodies[contact.between[s]].shape, surfaces[1 - s], spacing))
-      refuse(scene, contact, fmt::format("the bodies overlap by {:.4g} mm at ({:.6g}, {:.6g}, {:.6g}) m, where there would be mass twice; expected them to touch", 1e3 * found->depth,
-                                         found->at[0], found->at[1], found->at[2]));
+    if (const auto found = mass_twice(
+            surfaces[s], *scene.bodies[contact.between[s]].shape, surfaces[1 - s], spacing))
+      refuse(scene, contact,
+             fmt::format("the bodies overlap by {:.4g} mm at ({:.6g}, {:.6g}, {:.6g}) m, where there would "
+                         "be mass twice; expected them to touch",
+                         1e3 * found->depth, found->at[0], found->at[1], found->at[2]));
   std::vector<BoxGrid::Box> boxes;
   for (const Facet& f : facets.facets) {
     const std::array<Point, 4> x = facets.corners(f);
     BoxGrid::Box box{x[0], x[0]};
     for (int k = 0; k < 2 * (dim_ - 1); ++k)
-      for (int c = 0; c < 3; ++c) box.lower[c] = std::min(box.lower[c], x[k][c] - reach), box.upper[c] = std::max(box.upper[c], x[k][c] + reach);
+      for (int c = 0; c < 3; ++c)
+        box.lower[c] = std::min(box.lower[c], x[k][c] - reach),
+        box.upper[c] = std::max(box.upper[c], x[k][c] + reach);
     boxes.push_back(box);
   }
   const BoxGrid grid(boxes);
@@ -100,30 +112,51 @@ void Ties::tie(const Scene& scene, const Contact& contact, const std::vector<Mov
       grid.any_near(x, 0, [&](int f) {
         const Stand s = stand_over(dim_, facets.corners(facets.facets[std::size_t(f)]), x);
         const bool faces = dot(points.area[p], s.normal) < -0.1 * norm(points.area[p]);
-        if (faces && std::abs(s.gap) <= gap && s.beyond <= 0.05 * spacing && (piece < 0 || std::hypot(s.gap, s.beyond) < std::hypot(best.gap, best.beyond)))
+        if (faces && std::abs(s.gap) <= gap && s.beyond <= 0.05 * spacing &&
+            (piece < 0 || std::hypot(s.gap, s.beyond) < std::hypot(best.gap, best.beyond)))
           best = s, piece = f;
         return false;
       });
       if (piece < 0) continue;
-      Tie t{node(bodies, bond.from, points.point[p]), {}, best.share, {}, {}, std::abs(best.gap) > 1e-6 * spacing ? best.gap : 0.0, best.normal, 2 * (dim_ - 1)};
-      for (int c = 0; c < t.corners; ++c) t.facet[c] = node(bodies, bond.onto, facets.point[facets.facets[std::size_t(piece)].points[c]]);
+      Tie t{node(bodies, bond.from, points.point[p]),
+            {},
+            best.share,
+            {},
+            {},
+            std::abs(best.gap) > 1e-6 * spacing ? best.gap : 0.0,
+            best.normal,
+            2 * (dim_ - 1)};
+      for (int c = 0; c < t.corners; ++c)
+        t.facet[c] = node(bodies, bond.onto, facets.point[facets.facets[std::size_t(piece)].points[c]]);
       differentiate(t.share, dim_, t.along, t.across);
       ties_.push_back(t);
       Point apart = points.displacement(*moving[mine], p);
-      for (int c = 0; c < t.corners; ++c) apart = apart - t.share[c] * facets.displacement(*moving[1 - mine], facets.facets[std::size_t(piece)].points[c]);
+      for (int c = 0; c < t.corners; ++c)
+        apart = apart - t.share[c] * facets.displacement(
+                                         *moving[1 - mine], facets.facets[std::size_t(piece)].points[c]);
       if (norm(apart) > 1e-3 * spacing)
-        refuse(scene, contact, fmt::format("the displacements at the start part its two bodies by {:.4g} mm at ({:.6g}, {:.6g}, {:.6g}) m; expected the same for both", 1e3 * norm(apart), x[0], x[1], x[2]));
+        refuse(scene, contact,
+               fmt::format("the displacements at the start part its two bodies by {:.4g} mm at ({:.6g}, "
+                           "{:.6g}, {:.6g}) m; expected the same for both",
+                           1e3 * norm(apart), x[0], x[1], x[2]));
     }
     bond.end = ties_.size();
     if (bond.end > bond.begin) break;
   }
   if (bond.end == bond.begin)
-    refuse(scene, contact, fmt::format("the bodies touch nowhere at the start, so that there is nothing to tie; expected surfaces within {:.4g} mm of each other", 1e3 * reach));
+    refuse(scene, contact,
+           fmt::format("the bodies touch nowhere at the start, so that there is nothing to tie; expected "
+                       "surfaces within {:.4g} mm of each other",
+                       1e3 * reach));
   for (const Node& n : nodes_)
     for (const MovingBody::MeanHold& hold : bodies[n.body].means)
       for (int c = 0; c < dim_; ++c)
-        if (std::find(hold.slots.begin(), hold.slots.end(), bodies[n.body].discretization->layout().at(n.point, c)) != hold.slots.end())
-          refuse(scene, contact, fmt::format("it shares a point of body \"{}\" with a support of mode = \"mean\"; keep their places apart", bodies[n.body].name));
+        if (std::find(hold.slots.begin(), hold.slots.end(),
+                      bodies[n.body].discretization->layout().at(n.point, c)) != hold.slots.end())
+          refuse(scene, contact,
+                 fmt::format("it shares a point of body \"{}\" with a support of mode = \"mean\"; keep their "
+                             "places apart",
+                             bodies[n.body].name));
   bonds_.push_back(bond);
 }
 

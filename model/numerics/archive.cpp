@@ -6,7 +6,8 @@
 namespace femsph {
 
 void Archive::misfit(std::string_view name) const {
-  throw std::runtime_error("a saved state does not fit this run: \"" + path_ + std::string(name) + "\" has another size");
+  throw std::runtime_error(
+      "a saved state does not fit this run: \"" + path_ + std::string(name) + "\" has another size");
 }
 
 // Before every block its length, so that a state that does not fit is found out.

@@ -1,6 +1,7 @@
 #pragma once
-// One visit for saving and restoring: whoever carries history names its arrays once, in `void state(Archive& a)`, and the archive
-// either takes their values or puts them back. Everything is doubles or whole numbers of eight bytes, so that a file of it is plain HDF5.
+// One visit for saving and restoring: whoever carries history names its arrays once, in `void state(Archive&
+// a)`, and the archive either takes their values or puts them back. Everything is doubles or whole numbers of
+// eight bytes, so that a file of it is plain HDF5.
 
 #include <array>
 #include <concepts>
@@ -35,7 +36,9 @@ class Archive {
     value = T(whole);
   }
   template <std::size_t n>
-  void operator()(std::string_view name, std::array<double, n>& values) { block(name, Kind::real, values.data(), n); }
+  void operator()(std::string_view name, std::array<double, n>& values) {
+    block(name, Kind::real, values.data(), n);
+  }
   template <std::size_t n>
   void operator()(std::string_view name, std::array<bool, n>& values) {
     std::array<std::int64_t, n> whole;
@@ -43,7 +46,8 @@ class Archive {
     block(name, Kind::whole, whole.data(), n);
     for (std::size_t i = 0; i < n; ++i) values[i] = whole[i] != 0;
   }
-  /// std::vector or AlignedVector of doubles, Points or whole numbers. On restoring it takes the length that was saved.
+  /// std::vector or AlignedVector of doubles, Points or whole numbers. On restoring it takes the length that
+  /// was saved.
   template <class T, class A>
   void operator()(std::string_view name, std::vector<T, A>& values) {
     if constexpr (std::integral<T>) {
@@ -55,13 +59,15 @@ class Archive {
         for (std::size_t i = 0; i < whole.size(); ++i) values[i] = T(whole[i]);
       }
     } else {
-      static_assert(doubles_in<T> > 0, "an archive holds doubles, arrays of them, and whole numbers; see each() for structures");
+      static_assert(doubles_in<T> > 0,
+                    "an archive holds doubles, arrays of them, and whole numbers; see each() for structures");
       const std::size_t n = length(name, values.size() * doubles_in<T>);
       if (restoring_) values.resize(n / doubles_in<T>);
       block(name, Kind::real, values.data(), values.size() * doubles_in<T>);
     }
   }
-  /// One member of every structure of a vector, whose length is known: a.each("plastic", trusses, [](auto& t) -> double& { return t.state.plastic; })
+  /// One member of every structure of a vector, whose length is known: a.each("plastic", trusses, [](auto& t)
+  /// -> double& { return t.state.plastic; })
   template <class S, class A, class Member>
   void each(std::string_view name, std::vector<S, A>& structures, Member&& member) {
     using Value = std::decay_t<std::invoke_result_t<Member, S&>>;

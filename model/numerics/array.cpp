@@ -9,14 +9,18 @@ namespace femsph {
 namespace {
 
 constexpr std::size_t huge_page = std::size_t{2} << 20;
-std::align_val_t alignment(std::size_t bytes) { return std::align_val_t(bytes >= 2 * huge_page ? huge_page : 64); }
+std::align_val_t alignment(std::size_t bytes) {
+  return std::align_val_t(bytes >= 2 * huge_page ? huge_page : 64);
+}
 
 }  // namespace
 
 void* allocate_aligned(std::size_t bytes) {
   void* p = ::operator new(bytes, alignment(bytes));
 #ifdef MADV_HUGEPAGE
-  if (bytes >= 2 * huge_page) madvise(p, bytes / huge_page * huge_page, MADV_HUGEPAGE);  // a wish: whether it is granted changes no result
+  if (bytes >= 2 * huge_page)
+    madvise(p, bytes / huge_page * huge_page,
+            MADV_HUGEPAGE);  // a wish: whether it is granted changes no result
 #endif
   return p;
 }

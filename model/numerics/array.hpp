@@ -7,8 +7,8 @@
 
 namespace femsph {
 
-/// Memory on 64-byte boundaries: a cache line, and the width of a Pack. Large blocks ask for huge pages: the state of a plastic body alone is
-/// a thousand bytes a cell, and prefetching ends at a page.
+/// Memory on 64-byte boundaries: a cache line, and the width of a Pack. Large blocks ask for huge pages: the
+/// state of a plastic body alone is a thousand bytes a cell, and prefetching ends at a page.
 void* allocate_aligned(std::size_t bytes);
 void release_aligned(void* p, std::size_t bytes);
 
@@ -21,7 +21,9 @@ struct AlignedAllocator {
   T* allocate(std::size_t n) { return static_cast<T*>(allocate_aligned(n * sizeof(T))); }
   void deallocate(T* p, std::size_t n) { release_aligned(p, n * sizeof(T)); }
   template <class U>
-  bool operator==(const AlignedAllocator<U>&) const { return true; }
+  bool operator==(const AlignedAllocator<U>&) const {
+    return true;
+  }
 };
 
 template <class T>

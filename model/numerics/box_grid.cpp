@@ -14,7 +14,8 @@ BoxGrid::BoxGrid(const std::vector<Box>& boxes) {
       upper[c] = std::max(upper[c], box.upper[c]);
     }
 
-  // About one bucket a box: start from one bucket along the longest direction and halve the buckets while they are fewer than that.
+  // About one bucket a box: start from one bucket along the longest direction and halve the buckets while
+  // they are fewer than that.
   const double longest = std::max({upper[0] - lower_[0], upper[1] - lower_[1], upper[2] - lower_[2]});
   for (double size = longest; size > 0; size /= 2) {
     Index count;
@@ -42,7 +43,8 @@ BoxGrid::BoxGrid(const std::vector<Box>& boxes) {
 
 std::pair<BoxGrid::Index, BoxGrid::Index> BoxGrid::range(const Box& box) const {
   const auto index = [&](double x, int c) {
-    return step_[c] > 0 ? int(std::clamp(std::floor((x - lower_[c]) / step_[c]), 0.0, double(count_[c] - 1))) : 0;
+    return step_[c] > 0 ? int(std::clamp(std::floor((x - lower_[c]) / step_[c]), 0.0, double(count_[c] - 1)))
+                        : 0;
   };
   std::pair<Index, Index> result;
   for (int c = 0; c < 3; ++c) {

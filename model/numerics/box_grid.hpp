@@ -1,5 +1,6 @@
 #pragma once
-// Finds the few of many axis-parallel boxes that may hold a point: a uniform grid of buckets over their common bounding box.
+// Finds the few of many axis-parallel boxes that may hold a point: a uniform grid of buckets over their
+// common bounding box.
 
 #include <algorithm>
 #include <array>
@@ -18,7 +19,8 @@ class BoxGrid {
   BoxGrid() = default;
   explicit BoxGrid(const std::vector<Box>& boxes);
 
-  /// True as soon as `holds(i)` is true for one of the boxes i that are within `tolerance` of p; a box may be asked twice.
+  /// True as soon as `holds(i)` is true for one of the boxes i that are within `tolerance` of p; a box may be
+  /// asked twice.
   template <class Predicate>
   bool any_near(const Point& p, double tolerance, Predicate holds) const {
     if (entries_.empty()) return false;

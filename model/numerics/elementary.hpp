@@ -7,7 +7,8 @@ namespace femsph {
 
 namespace elementary {
 
-inline constexpr double round_by = 6755399441055744.0;  ///< 1.5 2^52: added and taken away, it rounds to a whole number
+inline constexpr double round_by =
+    6755399441055744.0;  ///< 1.5 2^52: added and taken away, it rounds to a whole number
 
 FEMSPH_INLINE Pack from_bits(PackMask bits) { return reinterpret_cast<Pack>(bits); }
 FEMSPH_INLINE PackMask to_bits(Pack x) { return reinterpret_cast<PackMask>(x); }
@@ -16,23 +17,31 @@ FEMSPH_INLINE PackMask to_bits(Pack x) { return reinterpret_cast<PackMask>(x); }
 FEMSPH_INLINE void split(Pack u, Pack& k, Pack& m) {
   constexpr long root_half = 0x3fe6a09e667f3bcd, one = 0x3ff0000000000000, fraction = 0x000fffffffffffff;
   using Bits = unsigned long __attribute__((vector_size(sizeof(PackMask))));  // infinity's wrap around
-  const PackMask bits = reinterpret_cast<PackMask>(reinterpret_cast<Bits>(u) + static_cast<unsigned long>(one - root_half));
+  const PackMask bits = reinterpret_cast<PackMask>(
+      reinterpret_cast<Bits>(u) + static_cast<unsigned long>(one - root_half));
   k = from_bits(((bits >> 52) - 1023) + to_bits(broadcast<Pack>(round_by))) - round_by;
   m = from_bits((bits & fraction) + root_half);
 }
 
-/// k ln 2 + ln(1 + f) + c, |f| <= sqrt(2) - 1. With s = f/(2 + f): ln(1 + f) = f - s (f - R(s^2)), the polynomial of fdlibm (e_log.c).
+/// k ln 2 + ln(1 + f) + c, |f| <= sqrt(2) - 1. With s = f/(2 + f): ln(1 + f) = f - s (f - R(s^2)), the
+/// polynomial of fdlibm (e_log.c).
 FEMSPH_INLINE Pack logarithm(Pack k, Pack f, Pack c) {
   const Pack half_square = 0.5 * f * f, s = f / (2.0 + f), z = s * s, w = z * z;
-  const Pack even = w * (3.999999999940941908e-01 + w * (2.222219843214978396e-01 + w * 1.531383769920937332e-01));
-  const Pack odd = z * (6.666666666666735130e-01 + w * (2.857142874366239149e-01 + w * (1.818357216161805012e-01 + w * 1.479819860511658591e-01)));
-  return s * (half_square + even + odd) + (k * 1.90821492927058770002e-10 + c) - half_square + f + k * 6.93147180369123816490e-01;
+  const Pack even = w * (3.999999999940941908e-01 +
+                         w * (2.222219843214978396e-01 + w * 1.531383769920937332e-01));
+  const Pack odd = z * (6.666666666666735130e-01 +
+                        w * (2.857142874366239149e-01 +
+                             w * (1.818357216161805012e-01 + w * 1.479819860511658591e-01)));
+  return s * (half_square + even + odd) + (k * 1.90821492927058770002e-10 + c) - half_square + f +
+         k * 6.93147180369123816490e-01;
 }
 
 }  // namespace elementary
 
 /// ln x; x = 0 counts as the smallest normal number, x < 0 gives NaN.
-FEMSPH_INLINE double natural_log(double x) { return std::log(std::isnormal(x) ? x : x == 0 ? 2.2250738585072014e-308 : x); }
+FEMSPH_INLINE double natural_log(double x) {
+  return std::log(std::isnormal(x) ? x : x == 0 ? 2.2250738585072014e-308 : x);
+}
 FEMSPH_INLINE Pack natural_log(Pack x) {
   Pack k, m;
   elementary::split(select(x == 0.0, broadcast<Pack>(2.2250738585072014e-308), x), k, m);
@@ -58,10 +67,12 @@ FEMSPH_INLINE Pack exponential(Pack x) {
   const Pack shifted = x * 1.44269504088896340736 + elementary::round_by, k = shifted - elementary::round_by;
   const Pack r = (x - k * 6.93147180369123816490e-01) - k * 1.90821492927058770002e-10;  // |r| <= ln(2)/2
   Pack y = broadcast<Pack>(1.0 / 6227020800.0);  // Taylor to r^13: what is left is below 1e-17
-  for (const double c : {1.0 / 479001600.0, 1.0 / 39916800.0, 1.0 / 3628800.0, 1.0 / 362880.0, 1.0 / 40320.0, 1.0 / 5040.0, 1.0 / 720.0, 1.0 / 120.0,
-                         1.0 / 24.0, 1.0 / 6.0, 0.5, 1.0, 1.0})
+  for (const double c : {1.0 / 479001600.0, 1.0 / 39916800.0, 1.0 / 3628800.0, 1.0 / 362880.0, 1.0 / 40320.0,
+                         1.0 / 5040.0, 1.0 / 720.0, 1.0 / 120.0, 1.0 / 24.0, 1.0 / 6.0, 0.5, 1.0, 1.0})
     y = y * r + c;
-  return y * elementary::from_bits((elementary::to_bits(shifted) - elementary::to_bits(broadcast<Pack>(elementary::round_by)) + 1023) << 52);
+  return y * elementary::from_bits((elementary::to_bits(shifted) -
+                                    elementary::to_bits(broadcast<Pack>(elementary::round_by)) + 1023)
+                                   << 52);
 }
 
 }  // namespace femsph

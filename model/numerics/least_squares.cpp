@@ -7,10 +7,12 @@ namespace femsph {
 namespace {
 
 double distance(const Point& a, const Point& b) {
-  return std::sqrt((a[0] - b[0]) * (a[0] - b[0]) + (a[1] - b[1]) * (a[1] - b[1]) + (a[2] - b[2]) * (a[2] - b[2]));
+  return std::sqrt(
+      (a[0] - b[0]) * (a[0] - b[0]) + (a[1] - b[1]) * (a[1] - b[1]) + (a[2] - b[2]) * (a[2] - b[2]));
 }
 
-/// Solves the n x n system a x = b (n <= 4) by elimination with pivoting; false if it is singular relative to its own size.
+/// Solves the n x n system a x = b (n <= 4) by elimination with pivoting; false if it is singular relative to
+/// its own size.
 bool solve(double (&a)[4][4], double (&b)[4], int n) {
   for (int k = 0; k < n; ++k) {
     int pivot = k;
@@ -34,7 +36,8 @@ bool solve(double (&a)[4][4], double (&b)[4], int n) {
 
 }  // namespace
 
-std::vector<Weight> least_squares_weights(std::span<const Point> points, int dim, const Point& p, double radius, double coincident) {
+std::vector<Weight> least_squares_weights(std::span<const Point> points, int dim, const Point& p,
+                                          double radius, double coincident) {
   std::size_t nearest = 0;
   for (std::size_t i = 0; i < points.size(); ++i)
     if (distance(points[i], p) < distance(points[nearest], p)) nearest = i;
@@ -42,7 +45,7 @@ std::vector<Weight> least_squares_weights(std::span<const Point> points, int dim
   for (int attempt = 0; attempt < 6; ++attempt, radius *= 1.5) {
     std::vector<Weight> near;
     double a[4][4] = {}, b[4] = {1, 0, 0, 0};
-    const auto basis = [&](const Point& x, double (&q)[4]) {
+    const auto basis = [&](const Point& x, double(&q)[4]) {
       q[0] = 1;
       for (int c = 0; c < dim; ++c) q[c + 1] = (x[c] - p[c]) / radius;
     };

@@ -24,7 +24,8 @@ int& thread_count() {
 /// This thread works on a task: loops inside of it run on it alone.
 thread_local bool inside_task = false;
 
-/// Waits until `value` differs from `old`: watching closely for 10 to 20 microseconds (a pause takes up to 140 cycles), then asleep.
+/// Waits until `value` differs from `old`: watching closely for 10 to 20 microseconds (a pause takes up to
+/// 140 cycles), then asleep.
 unsigned wait_for_change(const std::atomic<unsigned>& value, unsigned old) {
   for (int turn = 0; turn < 400; ++turn) {
     const unsigned now = value.load(std::memory_order_acquire);
@@ -55,7 +56,8 @@ class Pool {
     left_.store(unsigned(workers()), std::memory_order_relaxed);
     announce();
     guarded(0);
-    for (unsigned left = left_.load(std::memory_order_acquire); left != 0;) left = wait_for_change(left_, left);
+    for (unsigned left = left_.load(std::memory_order_acquire); left != 0;)
+      left = wait_for_change(left_, left);
     if (failure_) std::rethrow_exception(std::exchange(failure_, nullptr));
   }
 

@@ -14,7 +14,8 @@ std::array<double, 2> in_plane(double xx, double yy, double xy) {
   return {mean + radius, mean - radius};
 }
 
-/// Jacobi's rotations: to round-off of the largest, equal values included, where the cubic's closed solution loses half the digits.
+/// Jacobi's rotations: to round-off of the largest, equal values included, where the cubic's closed solution
+/// loses half the digits.
 std::array<double, 3> by_rotations(double a[3][3]) {
   for (int sweep = 0; sweep < 20; ++sweep) {
     const double off = a[0][1] * a[0][1] + a[1][2] * a[1][2] + a[2][0] * a[2][0];
@@ -24,7 +25,8 @@ std::array<double, 3> by_rotations(double a[3][3]) {
       for (int q = p + 1; q < 3; ++q) {
         if (a[p][q] == 0) continue;
         const double theta = (a[q][q] - a[p][p]) / (2 * a[p][q]);
-        const double t = std::copysign(1.0, theta) / (std::abs(theta) + std::hypot(theta, 1.0)), c = 1 / std::hypot(t, 1.0), s = t * c;
+        const double t = std::copysign(1.0, theta) / (std::abs(theta) + std::hypot(theta, 1.0)),
+                     c = 1 / std::hypot(t, 1.0), s = t * c;
         const int r = 3 - p - q;
         const double rp = a[r][p], rq = a[r][q], pq = a[p][q];
         a[p][p] -= t * pq;

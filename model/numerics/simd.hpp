@@ -26,23 +26,35 @@ using PackMask = long __attribute__((vector_size(lanes * sizeof(long))));
 
 /// T with every lane equal to x.
 template <class T>
-FEMSPH_INLINE T broadcast(double x) { return T{} + x; }
+FEMSPH_INLINE T broadcast(double x) {
+  return T{} + x;
+}
 template <>
-FEMSPH_INLINE double broadcast<double>(double x) { return x; }
+FEMSPH_INLINE double broadcast<double>(double x) {
+  return x;
+}
 
 /// Load from an address aligned to the size of T.
 template <class T>
-FEMSPH_INLINE T load(const double* p) { return *reinterpret_cast<const T*>(p); }
+FEMSPH_INLINE T load(const double* p) {
+  return *reinterpret_cast<const T*>(p);
+}
 
 /// Load from any address.
 template <class T>
-FEMSPH_INLINE T load_unaligned(const double* p) { return *reinterpret_cast<const PackUnaligned*>(p); }
+FEMSPH_INLINE T load_unaligned(const double* p) {
+  return *reinterpret_cast<const PackUnaligned*>(p);
+}
 template <>
-FEMSPH_INLINE double load_unaligned<double>(const double* p) { return *p; }
+FEMSPH_INLINE double load_unaligned<double>(const double* p) {
+  return *p;
+}
 
 /// Store to an address aligned to the size of T.
 template <class T>
-FEMSPH_INLINE void store(double* p, T x) { *reinterpret_cast<T*>(p) = x; }
+FEMSPH_INLINE void store(double* p, T x) {
+  *reinterpret_cast<T*>(p) = x;
+}
 
 /// Lane-wise mask ? a : b.
 FEMSPH_INLINE Pack select(PackMask mask, Pack a, Pack b) { return mask ? a : b; }
@@ -59,11 +71,13 @@ FEMSPH_INLINE Pack square_root(Pack x) {
 FEMSPH_INLINE bool any(bool mask) { return mask; }
 FEMSPH_INLINE bool any(PackMask mask) {
 #ifdef __AVX512DQ__
-  return _mm512_movepi64_mask(reinterpret_cast<__m512i>(mask)) != 0;  // the comparison's own mask; GCC would take the lanes one by one
+  return _mm512_movepi64_mask(reinterpret_cast<__m512i>(mask)) !=
+         0;  // the comparison's own mask; GCC would take the lanes one by one
 #else
   using Half = long __attribute__((vector_size(4 * sizeof(long))));
   using Quarter = long __attribute__((vector_size(2 * sizeof(long))));
-  const Half h = __builtin_shufflevector(mask, mask, 0, 1, 2, 3) | __builtin_shufflevector(mask, mask, 4, 5, 6, 7);
+  const Half h = __builtin_shufflevector(mask, mask, 0, 1, 2, 3) |
+                 __builtin_shufflevector(mask, mask, 4, 5, 6, 7);
   const Quarter q = __builtin_shufflevector(h, h, 0, 1) | __builtin_shufflevector(h, h, 2, 3);
   return (q[0] | q[1]) != 0;
 #endif

@@ -1,7 +1,8 @@
 #pragma once
 // Small tensors of a scalar type T (double or Pack).
 //   Tensor<T, dim>     dim x dim, row first: H[i][j] = du_i/dX_j
-//   Symmetric<T, dim>  tensor components (not engineering shear), in the order xx yy xy (2D), xx yy zz xy yz zx (3D)
+//   Symmetric<T, dim>  tensor components (not engineering shear), in the order xx yy xy (2D), xx yy zz xy yz
+//   zx (3D)
 
 #include <array>
 
@@ -12,7 +13,7 @@ namespace femsph {
 using Point = std::array<double, 3>;  ///< metres; the third component is 0 in 2D
 
 template <int dim>
-inline constexpr int symmetric_size = dim * (dim + 1) / 2;
+inline constexpr int symmetric_size = dim*(dim + 1) / 2;
 
 template <class T, int dim>
 struct Tensor {
@@ -56,9 +57,11 @@ FEMSPH_INLINE T contract(const Symmetric<T, dim>& a, const Symmetric<T, dim>& b)
 
 template <class T, int dim>
 FEMSPH_INLINE T determinant(const Tensor<T, dim>& M) {
-  if constexpr (dim == 2) return M[0][0] * M[1][1] - M[0][1] * M[1][0];
+  if constexpr (dim == 2)
+    return M[0][0] * M[1][1] - M[0][1] * M[1][0];
   else
-    return M[0][0] * (M[1][1] * M[2][2] - M[1][2] * M[2][1]) + M[0][1] * (M[1][2] * M[2][0] - M[1][0] * M[2][2]) +
+    return M[0][0] * (M[1][1] * M[2][2] - M[1][2] * M[2][1]) +
+           M[0][1] * (M[1][2] * M[2][0] - M[1][0] * M[2][2]) +
            M[0][2] * (M[1][0] * M[2][1] - M[1][1] * M[2][0]);
 }
 

@@ -4,10 +4,10 @@
 #include <filesystem>
 #include <fstream>
 
+#include "model/input/faults.hpp"
 #include "model/results/hdf5.hpp"
 #include "model/results/record.hpp"
 #include "model/results/whole_file.hpp"
-#include "model/input/faults.hpp"
 
 namespace femsph {
 
@@ -16,7 +16,9 @@ namespace {
 constexpr int format = 1;
 
 /// The last line, which HDF5 does not mind: "femsph checkpoint 12345 bytes 0123456789abcdef".
-std::string tail_of(std::string_view bytes) { return fmt::format("\nfemsph checkpoint {:20} bytes {:016x}\n", bytes.size(), checksum(bytes)); }
+std::string tail_of(std::string_view bytes) {
+  return fmt::format("\nfemsph checkpoint {:20} bytes {:016x}\n", bytes.size(), checksum(bytes));
+}
 
 /// The program by its own bytes: results are the same to the last bit only where the code is.
 std::string program() {
@@ -24,13 +26,16 @@ std::string program() {
     std::ifstream in("/proc/self/exe", std::ios::binary);
     std::vector<char> part(1 << 20);
     std::uint64_t sum = 0;
-    while (in.read(part.data(), std::streamsize(part.size())) || in.gcount() > 0) sum = checksum({part.data(), std::size_t(in.gcount())}, sum);
+    while (in.read(part.data(), std::streamsize(part.size())) || in.gcount() > 0)
+      sum = checksum({part.data(), std::size_t(in.gcount())}, sum);
     return fmt::format("{}, build {:016x}", version_line(), sum);
   }();
   return name;
 }
 
-[[noreturn]] void refuse(const std::string& file, std::string text) { throw InputError(file, {Fault{0, 0, std::move(text)}}); }
+[[noreturn]] void refuse(const std::string& file, std::string text) {
+  throw InputError(file, {Fault{0, 0, std::move(text)}});
+}
 
 class Saving final : public Archive {
  public:
@@ -38,7 +43,9 @@ class Saving final : public Archive {
 
  private:
   void block(std::string_view name, Kind kind, void* data, std::size_t count) override {
-    image_.dataset("state/" + path() + std::string(name), kind == Kind::real ? H5T_NATIVE_DOUBLE : H5T_NATIVE_INT64, count ? data : nullptr, {count});
+    image_.dataset(
+        "state/" + path() + std::string(name), kind == Kind::real ? H5T_NATIVE_DOUBLE : H5T_NATIVE_INT64,
+        count ? data : nullptr, {count});
   }
   std::size_t length(std::string_view, std::size_t now) override { return now; }
   hdf5::Image& image_;
@@ -50,9 +57,12 @@ class Restoring final : public Archive {
 
  private:
   void block(std::string_view name, Kind kind, void* data, std::size_t count) override {
-    opened_.read("state/" + path() + std::string(name), kind == Kind::real ? H5T_NATIVE_DOUBLE : H5T_NATIVE_INT64, data, count);
+    opened_.read("state/" + path() + std::string(name),
+                 kind == Kind::real ? H5T_NATIVE_DOUBLE : H5T_NATIVE_INT64, data, count);
   }
-  std::size_t length(std::string_view name, std::size_t) override { return opened_.length("state/" + path() + std::string(name)); }
+  std::size_t length(std::string_view name, std::size_t) override {
+    return opened_.length("state/" + path() + std::string(name));
+  }
   const hdf5::Opened& opened_;
 };
 
@@ -72,7 +82,8 @@ std::uint64_t checksum(std::string_view bytes, std::uint64_t seed) {
   return sum;
 }
 
-void write_checkpoint(const std::string& file, const RunOrigin& origin, const std::function<void(Archive&)>& visit) {
+void write_checkpoint(const std::string& file, const RunOrigin& origin,
+                      const std::function<void(Archive&)>& visit) {
   hdf5::Image image(file);
   image.attribute("/", "format", double(format));
   image.attribute("/", "program", program());
@@ -82,8 +93,10 @@ void write_checkpoint(const std::string& file, const RunOrigin& origin, const st
   image.text("origin/scene_path", origin.scene_path);
   image.text("origin/scene_text", origin.scene_text);
   image.text("origin/progress", origin.progress);
-  for (std::size_t i = 0; i < origin.arguments.size(); ++i) image.text(fmt::format("origin/arguments/{}", i), origin.arguments[i]);
-  image.dataset<long long>("origin/numbers", {format, (long long)origin.arguments.size(), (long long)origin.meshes}, {3});
+  for (std::size_t i = 0; i < origin.arguments.size(); ++i)
+    image.text(fmt::format("origin/arguments/{}", i), origin.arguments[i]);
+  image.dataset<long long>(
+      "origin/numbers", {format, (long long)origin.arguments.size(), (long long)origin.meshes}, {3});
   Saving saving(image);
   visit(saving);
   std::string bytes = image.bytes();
@@ -94,8 +107,11 @@ void write_checkpoint(const std::string& file, const RunOrigin& origin, const st
 Checkpoint::Checkpoint(const std::string& file, bool any_program) : file_(file) {
   std::error_code none;
   std::ifstream in;
-  if (std::filesystem::is_regular_file(file, none)) in.open(file, std::ios::binary | std::ios::ate);  // a folder opens too, and a pipe waits
-  if (!in.is_open() || !in) refuse(file, "no checkpoint can be read there; a run leaves one with --checkpoint, or when it is interrupted");
+  if (std::filesystem::is_regular_file(file, none))
+    in.open(file, std::ios::binary | std::ios::ate);  // a folder opens too, and a pipe waits
+  if (!in.is_open() || !in)
+    refuse(file,
+           "no checkpoint can be read there; a run leaves one with --checkpoint, or when it is interrupted");
   bytes_.resize(std::size_t(std::max<std::streamoff>(0, in.tellg())));
   in.seekg(0);
   in.read(bytes_.data(), std::streamsize(bytes_.size()));
@@ -108,14 +124,19 @@ Checkpoint::Checkpoint(const std::string& file, bool any_program) : file_(file) 
     const hdf5::Opened opened(file, bytes_);
     std::array<long long, 3> numbers{};
     opened.read("origin/numbers", H5T_NATIVE_INT64, numbers.data(), numbers.size());
-    if (numbers[0] != format) refuse(file, fmt::format("the checkpoint has format {}; expected {}: take the program that wrote it", numbers[0], format));
+    if (numbers[0] != format)
+      refuse(file, fmt::format("the checkpoint has format {}; expected {}: take the program that wrote it",
+                               numbers[0], format));
     if (const std::string writer = opened.text("origin/program"); writer != program() && !any_program)
-      refuse(file, fmt::format("the checkpoint was written by {}, and this is {}: results may differ; --any-program goes on all the same", writer, program()));
+      refuse(file, fmt::format("the checkpoint was written by {}, and this is {}: results may differ; "
+                               "--any-program goes on all the same",
+                               writer, program()));
     origin_.scene_file = opened.text("origin/scene_file");
     origin_.scene_path = opened.text("origin/scene_path");
     origin_.scene_text = opened.text("origin/scene_text");
     origin_.progress = opened.text("origin/progress");
-    for (long long i = 0; i < numbers[1]; ++i) origin_.arguments.push_back(opened.text(fmt::format("origin/arguments/{}", i)));
+    for (long long i = 0; i < numbers[1]; ++i)
+      origin_.arguments.push_back(opened.text(fmt::format("origin/arguments/{}", i)));
     origin_.meshes = std::uint64_t(numbers[2]);
   } catch (const InputError&) {
     throw;

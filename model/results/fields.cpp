@@ -11,10 +11,10 @@
 #include <optional>
 #include <stdexcept>
 
-#include "model/numerics/principal.hpp"
-#include "model/results/recovery.hpp"
 #include "model/numerics/parallel.hpp"
+#include "model/numerics/principal.hpp"
 #include "model/results/hdf5.hpp"
+#include "model/results/recovery.hpp"
 #include "model/results/whole_file.hpp"
 #include "model/results/xdmf.hpp"
 
@@ -46,7 +46,8 @@ std::vector<long long> connectivity(const Topology& topology, const xdmf::Body& 
   std::vector<long long> out;
   out.reserve(body.cells * body.cell_points());
   for (std::size_t e = 0; e < body.cells; ++e)
-    for (std::size_t k = 0; k < body.cell_points(); ++k) out.push_back(body.kind == Topology::Kind::points ? e : topology.cells[e][k]);
+    for (std::size_t k = 0; k < body.cell_points(); ++k)
+      out.push_back(body.kind == Topology::Kind::points ? e : topology.cells[e][k]);
   return out;
 }
 
@@ -54,11 +55,13 @@ std::vector<long long> connectivity(const Topology& topology, const xdmf::Body& 
 constexpr std::array<int, 9> full{0, 3, 5, 3, 1, 4, 5, 4, 2};
 
 struct CellFields {
-  std::vector<double> stress, strain, equivalent, principal, plastic;  ///< plastic: empty when the law has none
+  std::vector<double> stress, strain, equivalent, principal,
+      plastic;         ///< plastic: empty when the law has none
   MaterialState flow;  ///< of it the bounds of the stress, means too, when points are to be recovered
 };
 
-/// a b + c as the compiler contracts such a sum where the processor can: said outright, since how it unrolls the loop around must not change the bits.
+/// a b + c as the compiler contracts such a sum where the processor can: said outright, since how it unrolls
+/// the loop around must not change the bits.
 double multiply_add(double a, double b, double c) {
 #ifdef __FMA__
   return std::fma(a, b, c);
@@ -67,26 +70,31 @@ double multiply_add(double a, double b, double c) {
 #endif
 }
 
-/// Part of its cell's volume that each material point stands for; empty when a cell has one. Nothing deformed enters: once and for all.
+/// Part of its cell's volume that each material point stands for; empty when a cell has one. Nothing deformed
+/// enters: once and for all.
 std::vector<double> shares_of(const Discretization& d, std::size_t cells) {
   const std::size_t k = cells ? d.material_points() / cells : 0;
   std::vector<double> share(k > 1 ? d.material_points() : 0);
   if (!share.empty())
-    parallel_for(cells, 64, [&](std::size_t begin, std::size_t end) {
-      for (std::size_t e = begin; e < end; ++e) {
-        double volume = 0;
-        for (std::size_t q = e * k; q < (e + 1) * k; ++q) volume += share[q] = d.material_volume(q);
-        for (std::size_t q = e * k; q < (e + 1) * k; ++q) share[q] /= volume;
-      }
-    }, k);
+    parallel_for(
+        cells, 64,
+        [&](std::size_t begin, std::size_t end) {
+          for (std::size_t e = begin; e < end; ++e) {
+            double volume = 0;
+            for (std::size_t q = e * k; q < (e + 1) * k; ++q) volume += share[q] = d.material_volume(q);
+            for (std::size_t q = e * k; q < (e + 1) * k; ++q) share[q] /= volume;
+          }
+        },
+        k);
   return share;
 }
 
-/// Means over cells, some thousands at a time, so that their points' states stay near the processor. What a discretization prepares for one call
-/// (mirrored particles) it prepares for eight of them at most.
+/// Means over cells, some thousands at a time, so that their points' states stay near the processor. What a
+/// discretization prepares for one call (mirrored particles) it prepares for eight of them at most.
 class Means {
  public:
-  void fill(const Discretization& d, const double* u, const std::vector<double>& share, std::size_t cells, bool with_flow, CellFields& out) {
+  void fill(const Discretization& d, const double* u, const std::vector<double>& share, std::size_t cells,
+            bool with_flow, CellFields& out) {
     const std::size_t k = cells ? d.material_points() / cells : 0;
     const std::size_t at_once = cells ? std::max(std::size_t{16384}, d.material_points() / 8) / k : 0;
     out.stress.resize(9 * cells);
@@ -102,26 +110,33 @@ class Means {
       if (with_flow)
         for (const auto bound : bounds) (out.flow.*bound).resize((state_.*bound).empty() ? 0 : cells);
       out.plastic.resize(state_.plastic.empty() ? 0 : cells);
-      parallel_for(count, 64, [&](std::size_t begin, std::size_t end) {
-        for (std::size_t e = begin; e < end; ++e) {
-          const double* shares = share.empty() ? nullptr : &share[(first + e) * k];
-          mean(e, first + e, k, shares, out);
-          for (const auto bound : bounds)
-            if (with_flow && !(state_.*bound).empty()) (out.flow.*bound)[first + e] = mean_of(state_.*bound, e, k, shares);
-        }
-      }, k);
+      parallel_for(
+          count, 64,
+          [&](std::size_t begin, std::size_t end) {
+            for (std::size_t e = begin; e < end; ++e) {
+              const double* shares = share.empty() ? nullptr : &share[(first + e) * k];
+              mean(e, first + e, k, shares, out);
+              for (const auto bound : bounds)
+                if (with_flow && !(state_.*bound).empty())
+                  (out.flow.*bound)[first + e] = mean_of(state_.*bound, e, k, shares);
+            }
+          },
+          k);
     }
     if (cells == 0) out.plastic.clear();
   }
 
  private:
-  static constexpr std::array bounds{&MaterialState::flow_stress, &MaterialState::tensile_flow_stress, &MaterialState::tensile_strength};
-  static double mean_of(const std::vector<double>& values, std::size_t e, std::size_t k, const double* shares) {
+  static constexpr std::array bounds{
+      &MaterialState::flow_stress, &MaterialState::tensile_flow_stress, &MaterialState::tensile_strength};
+  static double mean_of(const std::vector<double>& values, std::size_t e, std::size_t k,
+                        const double* shares) {
     double sum = 0;
     for (std::size_t n = 0; n < k; ++n) sum += (shares ? shares[n] : 1.0) * values[e * k + n];
     return sum;
   }
-  /// Points e k .. e k + k - 1 of state_ are those of `cell`; k = 1 leaves every value as it is, to the last bit.
+  /// Points e k .. e k + k - 1 of state_ are those of `cell`; k = 1 leaves every value as it is, to the last
+  /// bit.
   void mean(std::size_t e, std::size_t cell, std::size_t k, const double* shares, CellFields& out) const {
     double stress[9] = {}, strain[9] = {}, equivalent = 0, plastic = 0;
     for (std::size_t n = 0; n < k; ++n) {
@@ -137,7 +152,8 @@ class Means {
     std::copy_n(stress, 9, &out.stress[9 * cell]);
     std::copy_n(strain, 9, &out.strain[9 * cell]);
     out.equivalent[cell] = equivalent;
-    const std::array<double, 3> principal = principal_values({stress[0], stress[4], stress[8], stress[1], stress[5], stress[2]});  // of the mean
+    const std::array<double, 3> principal = principal_values(
+        {stress[0], stress[4], stress[8], stress[1], stress[5], stress[2]});  // of the mean
     std::copy(principal.begin(), principal.end(), &out.principal[3 * cell]);
     if (!state_.plastic.empty()) out.plastic[cell] = plastic;
   }
@@ -146,16 +162,20 @@ class Means {
   std::vector<std::size_t> points_;
 };
 
-/// Stress and strain at the points by the one rule, from the means of the units around: their weights, and the values of the last snapshot.
+/// Stress and strain at the points by the one rule, from the means of the units around: their weights, and
+/// the values of the last snapshot.
 class AtPoints {
  public:
   AtPoints(const Discretization& d, Plane plane) : plane_(plane) {
     const Recovery rule(d.material_units());
     const std::size_t points = d.layout().points;
     std::vector<std::vector<Weight>> all(points);
-    parallel_for(points, 64, [&](std::size_t begin, std::size_t end) {
-      for (std::size_t i = begin; i < end; ++i) all[i] = rule.unit_weights(d.position(i));
-    }, 64);
+    parallel_for(
+        points, 64,
+        [&](std::size_t begin, std::size_t end) {
+          for (std::size_t i = begin; i < end; ++i) all[i] = rule.unit_weights(d.position(i));
+        },
+        64);
     begin_.assign(points + 1, 0);
     for (std::size_t i = 0; i < points; ++i) begin_[i + 1] = begin_[i] + all[i].size();
     near_.reserve(begin_.back());
@@ -172,9 +192,12 @@ class AtPoints {
     values.equivalent.resize(points);
     values.principal.resize(3 * points);
     values.plastic.resize(cells.plastic.empty() ? 0 : points);
-    parallel_for(points, 64, [&](std::size_t begin, std::size_t end) {
-      for (std::size_t i = begin; i < end; ++i) value(i, cells);
-    }, 32);
+    parallel_for(
+        points, 64,
+        [&](std::size_t begin, std::size_t end) {
+          for (std::size_t i = begin; i < end; ++i) value(i, cells);
+        },
+        32);
   }
   CellFields values;
 
@@ -189,11 +212,15 @@ class AtPoints {
     if (!cells.flow.flow_stress.empty()) {
       StressBound bound{};
       bound.yield = kept(i, cells.flow.flow_stress);
-      bound.tensile = cells.flow.tensile_flow_stress.empty() ? bound.yield : kept(i, cells.flow.tensile_flow_stress);
-      bound.strength = cells.flow.tensile_strength.empty() ? std::numeric_limits<double>::infinity() : kept(i, cells.flow.tensile_strength);
+      bound.tensile = cells.flow.tensile_flow_stress.empty() ? bound.yield
+                                                             : kept(i, cells.flow.tensile_flow_stress);
+      bound.strength = cells.flow.tensile_strength.empty() ? std::numeric_limits<double>::infinity()
+                                                           : kept(i, cells.flow.tensile_strength);
       stress = limited(stress, bound, plane_);
     }
-    for (std::size_t c = 0; c < 9; ++c) values.stress[9 * i + c] = stress[std::size_t(full[c])], values.strain[9 * i + c] = strain[std::size_t(full[c])];
+    for (std::size_t c = 0; c < 9; ++c)
+      values.stress[9 * i + c] = stress[std::size_t(full[c])],
+                            values.strain[9 * i + c] = strain[std::size_t(full[c])];
     values.equivalent[i] = von_mises(stress);
     const std::array<double, 3> principal = principal_values(stress);
     std::copy(principal.begin(), principal.end(), &values.principal[3 * i]);
@@ -229,14 +256,15 @@ struct FieldWriter::Impl {
   std::vector<xdmf::Body> bodies;
   std::vector<xdmf::Frame> frames;  ///< on disk
   std::optional<hdf5::Image> geometry, data;
-  xdmf::Frame frame;  ///< described by `data`
-  std::vector<std::vector<double>> shares;  ///< of each body, from its first snapshot on
-  std::vector<std::optional<Plane>> recovered;     ///< of each body: its points have recovered values too
+  xdmf::Frame frame;                                 ///< described by `data`
+  std::vector<std::vector<double>> shares;           ///< of each body, from its first snapshot on
+  std::vector<std::optional<Plane>> recovered;       ///< of each body: its points have recovered values too
   std::vector<std::unique_ptr<AtPoints>> at_points;  ///< of these, from the first snapshot on
   Means means;
-  CellFields cells;          ///< these two for their memory: pages asked for anew cost as much as what is written on them
+  CellFields
+      cells;  ///< these two for their memory: pages asked for anew cost as much as what is written on them
   std::vector<double> point_rows;
-  std::future<void> writing; ///< of `frame`, by commit_later()
+  std::future<void> writing;  ///< of `frame`, by commit_later()
 
   void write_geometry();
   void settle() {
@@ -254,7 +282,8 @@ struct FieldWriter::Impl {
       data->attribute("/", "time", time);
     }
     if (frame.step != step || frame.time != time)
-      throw std::logic_error(fmt::format("fields of steps {} and {} in one snapshot: commit() is missing", frame.step, step));
+      throw std::logic_error(
+          fmt::format("fields of steps {} and {} in one snapshot: commit() is missing", frame.step, step));
   }
 };
 
@@ -266,7 +295,8 @@ void remove_earlier_fields(const std::string& folder) {
   for (const auto& entry : std::filesystem::directory_iterator(folder + "/fields", none)) {
     const std::string stem = entry.path().stem();
     const bool number = stem.size() >= 6 && stem.find_first_not_of("0123456789") == std::string::npos;
-    if (entry.path().extension() == ".h5" && (number || stem == "bodies" || stem == "last_good")) remove_file(entry.path());
+    if (entry.path().extension() == ".h5" && (number || stem == "bodies" || stem == "last_good"))
+      remove_file(entry.path());
   }
   std::filesystem::remove(folder + "/fields", none);  // unless something of others is in there
 }
@@ -281,16 +311,18 @@ FieldWriter::FieldWriter(const std::string& folder, bool taken_up) : impl_(std::
 
 FieldWriter::~FieldWriter() = default;
 
-std::size_t FieldWriter::add_body(const std::string& name, const Discretization& body, std::optional<Plane> recovered) {
+std::size_t FieldWriter::add_body(const std::string& name, const Discretization& body,
+                                  std::optional<Plane> recovered) {
   if (!impl_->geometry) throw std::logic_error("fields: body \"" + name + "\" added after the first commit");
   const std::size_t number = impl_->bodies.size();
   const Topology topology = body.topology();
   const std::size_t points = body.layout().points;
   const bool bare = topology.kind == Topology::Kind::points;
   const xdmf::Body shape{name, topology.kind, points, bare ? points : topology.cells.size()};
-  if (shape.cells > 0 && (body.material_points() % shape.cells != 0 || (bare && body.material_points() != points)))
-    throw std::logic_error(
-        fmt::format("fields: body \"{}\" has {} material points in {} cells", name, body.material_points(), shape.cells));
+  if (shape.cells > 0 &&
+      (body.material_points() % shape.cells != 0 || (bare && body.material_points() != points)))
+    throw std::logic_error(fmt::format(
+        "fields: body \"{}\" has {} material points in {} cells", name, body.material_points(), shape.cells));
 
   hdf5::Image& image = *impl_->geometry;
   const std::string group = xdmf::group(number);
@@ -356,7 +388,8 @@ void FieldWriter::commit_later() {
   std::vector<xdmf::Frame> then = w.frames;
   then.push_back(w.frame);
   w.writing = std::async(std::launch::async, [image = w.data->bytes(), file = w.folder + "/" + w.frame.file,
-                                              description = xdmf::document(w.bodies, then, geometry_file), all = w.folder + "/fields.xdmf"]() mutable {
+                                              description = xdmf::document(w.bodies, then, geometry_file),
+                                              all = w.folder + "/fields.xdmf"]() mutable {
     write_whole(image, file);
     std::string().swap(image);
     write_whole(description, all);

@@ -1,8 +1,9 @@
 #pragma once
 // Internal to results/: the little of HDF5's C interface that results need.
 //
-// A file is composed in memory (HDF5's core driver) and handed over as bytes, which write_whole() puts on the disk. So HDF5 never
-// meets a full disk or a missing folder, which it reports late, and after a failed close keeps trying until the program ends.
+// A file is composed in memory (HDF5's core driver) and handed over as bytes, which write_whole() puts on the
+// disk. So HDF5 never meets a full disk or a missing folder, which it reports late, and after a failed close
+// keeps trying until the program ends.
 
 #include <fmt/format.h>
 #include <hdf5.h>
@@ -66,15 +67,21 @@ class Image {
     const Handle links(check(H5Pcreate(H5P_LINK_CREATE), path), H5Pclose);
     check(H5Pset_create_intermediate_group(links, 1), path);
     const Handle creation(check(H5Pcreate(H5P_DATASET_CREATE), path), H5Pclose);
-    check(H5Pset_obj_track_times(creation, 0), path);  // equal results are equal files, whenever they were written
-    const Handle set(check(H5Dcreate2(id_, path.c_str(), type, space, links, creation, H5P_DEFAULT), path), H5Dclose);
+    check(H5Pset_obj_track_times(creation, 0),
+          path);  // equal results are equal files, whenever they were written
+    const Handle set(
+        check(H5Dcreate2(id_, path.c_str(), type, space, links, creation, H5P_DEFAULT), path), H5Dclose);
     if (values) check(H5Dwrite(set, type, H5S_ALL, H5S_ALL, H5P_DEFAULT, values), path);
   }
   /// One text, byte for byte.
-  void text(const std::string& path, const std::string& text) { dataset(path, H5T_NATIVE_UCHAR, text.data(), {text.size()}); }
+  void text(const std::string& path, const std::string& text) {
+    dataset(path, H5T_NATIVE_UCHAR, text.data(), {text.size()});
+  }
 
   /// Attributes of the dataset or group at `path`.
-  void attribute(const std::string& path, const std::string& name, double value) { attribute(path, name, H5T_NATIVE_DOUBLE, &value); }
+  void attribute(const std::string& path, const std::string& name, double value) {
+    attribute(path, name, H5T_NATIVE_DOUBLE, &value);
+  }
   void attribute(const std::string& path, const std::string& name, const std::string& text) {
     const Handle type(check(H5Tcopy(H5T_C_S1), path), H5Tclose);
     check(H5Tset_size(type, text.size() + 1), path);
@@ -95,20 +102,24 @@ class Image {
     const Handle access(check(H5Pcreate(H5P_FILE_ACCESS), "/"), H5Pclose);
     check(H5Pset_fapl_core(access, 1 << 20, 0), "/");
     const Handle creation(check(H5Pcreate(H5P_FILE_CREATE), "/"), H5Pclose);
-    check(H5Pset_link_creation_order(creation, H5P_CRT_ORDER_TRACKED | H5P_CRT_ORDER_INDEXED), "/");  // columns keep their order
+    check(H5Pset_link_creation_order(creation, H5P_CRT_ORDER_TRACKED | H5P_CRT_ORDER_INDEXED),
+          "/");  // columns keep their order
     return {check(H5Fcreate(file_.c_str(), H5F_ACC_TRUNC, creation, access), "/"), H5Fclose};
   }
 
   void attribute(const std::string& path, const std::string& name, hid_t type, const void* value) {
     const Handle space(check(H5Screate(H5S_SCALAR), path), H5Sclose);
-    const Handle a(check(H5Acreate_by_name(id_, path.c_str(), name.c_str(), type, space, H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT), path),
+    const Handle a(check(H5Acreate_by_name(id_, path.c_str(), name.c_str(), type, space, H5P_DEFAULT,
+                                           H5P_DEFAULT, H5P_DEFAULT),
+                         path),
                    H5Aclose);
     check(H5Awrite(a, type, value), path);
   }
 
   template <class Result>
   Result check(Result result, const std::string& path) const {
-    if (result < 0) throw std::runtime_error(fmt::format("cannot write {} (HDF5, {}): {}", file_, path, reason()));
+    if (result < 0)
+      throw std::runtime_error(fmt::format("cannot write {} (HDF5, {}): {}", file_, path, reason()));
     return result;
   }
 
@@ -116,7 +127,8 @@ class Image {
   Handle id_;
 };
 
-/// An HDF5 file that lies in memory as bytes, to read. Errors throw std::runtime_error naming the file that it came from.
+/// An HDF5 file that lies in memory as bytes, to read. Errors throw std::runtime_error naming the file that
+/// it came from.
 class Opened {
  public:
   Opened(std::string file, std::string_view bytes) : file_(std::move(file)), id_(open(bytes)) {}
@@ -129,7 +141,8 @@ class Opened {
   }
   /// All of them; there must be `count`.
   void read(const std::string& path, hid_t type, void* values, std::size_t count) const {
-    if (length(path) != count) throw std::runtime_error(fmt::format("cannot read {}: {} has another length", file_, path));
+    if (length(path) != count)
+      throw std::runtime_error(fmt::format("cannot read {}: {} has another length", file_, path));
     if (count == 0) return;
     const Handle set(check(H5Dopen2(id_, path.c_str(), H5P_DEFAULT), path), H5Dclose);
     check(H5Dread(set, type, H5S_ALL, H5S_ALL, H5P_DEFAULT, values), path);
@@ -151,7 +164,8 @@ class Opened {
   }
   template <class Result>
   Result check(Result result, const std::string& path) const {
-    if (result < 0) throw std::runtime_error(fmt::format("cannot read {} (HDF5, {}): {}", file_, path, reason()));
+    if (result < 0)
+      throw std::runtime_error(fmt::format("cannot read {} (HDF5, {}): {}", file_, path, reason()));
     return result;
   }
 

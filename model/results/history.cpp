@@ -20,8 +20,8 @@ auto find(const std::vector<Column>& columns, const std::string& name) {
 void require_equal_lengths(const std::vector<Column>& columns, const std::string& file) {
   for (const Column& c : columns)
     if (c.values.size() != columns[0].values.size())
-      throw std::logic_error(fmt::format("{}: column {} has {} rows, column {} has {}", file, columns[0].name, columns[0].values.size(),
-                                         c.name, c.values.size()));
+      throw std::logic_error(fmt::format("{}: column {} has {} rows, column {} has {}", file, columns[0].name,
+                                         columns[0].values.size(), c.name, c.values.size()));
 }
 
 /// RFC 4180: a field that holds a separator is quoted, quotes inside are doubled.
@@ -42,12 +42,15 @@ void write_csv(const std::vector<Column>& columns, const std::string& file) {
     }
     out.push_back('\n');
   };
-  line([&](const Column& c) { fmt::format_to(fmt::appender(out), "{}", csv_field(fmt::format("{} [{}]", c.name, c.unit))); });
+  line([&](const Column& c) {
+    fmt::format_to(fmt::appender(out), "{}", csv_field(fmt::format("{} [{}]", c.name, c.unit)));
+  });
   const std::size_t rows = columns.empty() ? 0 : columns[0].values.size();
   for (std::size_t row = 0; row < rows; ++row)
     line([&](const Column& c) {
       const double x = c.values[row];
-      fmt::format_to(fmt::appender(out), "{:.17g}", std::isnan(x) ? std::abs(x) : x);  // "-nan" is not a number to every reader
+      fmt::format_to(fmt::appender(out), "{:.17g}",
+                     std::isnan(x) ? std::abs(x) : x);  // "-nan" is not a number to every reader
     });
   write_whole({out.data(), out.size()}, file);
 }
@@ -65,7 +68,8 @@ const Column& History::operator[](const std::string& name) const {
   if (found != columns.end()) return *found;
   std::string names;
   for (const Column& c : columns) names += (names.empty() ? "" : ", ") + c.name;
-  throw std::out_of_range(fmt::format("no column \"{}\" in this history; it has: {}", name, names.empty() ? "none" : names));
+  throw std::out_of_range(
+      fmt::format("no column \"{}\" in this history; it has: {}", name, names.empty() ? "none" : names));
 }
 
 bool History::has(const std::string& name) const { return find(columns, name) != columns.end(); }

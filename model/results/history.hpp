@@ -29,8 +29,9 @@ struct Profile {
   std::vector<Column> columns;   ///< components
 };
 
-/// Writes `file` in one piece: to a temporary name, then renamed. CSV: a line "name [unit],..", 17 significant digits.
-/// Throws std::runtime_error naming the file and the system's reason. The folder must exist.
+/// Writes `file` in one piece: to a temporary name, then renamed. CSV: a line "name [unit],..", 17
+/// significant digits. Throws std::runtime_error naming the file and the system's reason. The folder must
+/// exist.
 void write_csv(const History& history, const std::string& file);
 /// distance, the profile's columns, and its time in every row.
 void write_csv(const Profile& profile, const std::string& file);

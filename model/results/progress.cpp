@@ -1,5 +1,3 @@
-#include "model/results/record.hpp"
-
 #include <fmt/format.h>
 #include <sys/ioctl.h>
 #include <unistd.h>
@@ -7,6 +5,8 @@
 #include <cstdio>
 #include <cstdlib>
 #include <string_view>
+
+#include "model/results/record.hpp"
 
 namespace femsph {
 
@@ -34,7 +34,8 @@ std::string duration(double seconds) {
 
 }  // namespace
 
-std::string progress_line(const std::string& what, long step, long steps, double time, double steps_per_second) {
+std::string progress_line(const std::string& what, long step, long steps, double time,
+                          double steps_per_second) {
   std::string line = fmt::format("{}: step {}", what, step);
   if (steps > 0) line += fmt::format(" of {}", steps);
   line += fmt::format(", t = {:.4g} s", time);
@@ -44,7 +45,8 @@ std::string progress_line(const std::string& what, long step, long steps, double
   return line;
 }
 
-Progress::Progress(std::string what) : what_(std::move(what)), last_(wall_seconds()), terminal_(can_overwrite_lines()) {}
+Progress::Progress(std::string what)
+    : what_(std::move(what)), last_(wall_seconds()), terminal_(can_overwrite_lines()) {}
 
 Progress::~Progress() {
   if (shown_) std::fputs("\r\033[K", stderr);

@@ -35,7 +35,8 @@ std::string hdf5_version() {
 std::string processor() {
   std::ifstream info("/proc/cpuinfo");
   for (std::string line; std::getline(info, line);)
-    if (const auto colon = line.find(": "); line.starts_with("model name") && colon != std::string::npos) return line.substr(colon + 2);
+    if (const auto colon = line.find(": "); line.starts_with("model name") && colon != std::string::npos)
+      return line.substr(colon + 2);
   return "unknown";
 }
 
@@ -91,7 +92,9 @@ Pairs provenance() {
   return all;
 }
 
-void add_provenance(std::string key, std::string value) { set(registered(), std::move(key), std::move(value)); }
+void add_provenance(std::string key, std::string value) {
+  set(registered(), std::move(key), std::move(value));
+}
 
 std::string version_line() {
   std::string git = FEMSPH_GIT;
@@ -104,11 +107,20 @@ std::string version_line() {
 void write_record(const RunRecord& record, const std::string& folder) {
   toml::array warnings;
   for (const std::string& text : record.warnings) warnings.push_back(text);
-  const toml::table document{{"warnings", warnings},               {"scene_file", record.scene_file},   {"method", record.method},           {"command", record.command},
-                             {"outcome", record.outcome},         {"finished_at", record.finished_at}, {"derived", table(record.derived)},
-                             {"energy", energies(record.ledger)}, {"price", price(record.price)},      {"provenance", table(provenance())}};
+  const toml::table document{
+      {"warnings", warnings},
+      {"scene_file", record.scene_file},
+      {"method", record.method},
+      {"command", record.command},
+      {"outcome", record.outcome},
+      {"finished_at", record.finished_at},
+      {"derived", table(record.derived)},
+      {"energy", energies(record.ledger)},
+      {"price", price(record.price)},
+      {"provenance", table(provenance())}};
   std::ostringstream out;
-  out << "# One run of " << version_line() << ". SI units: energies in J, times in s, memory in bytes. The scene is in scene.toml.\n"
+  out << "# One run of " << version_line()
+      << ". SI units: energies in J, times in s, memory in bytes. The scene is in scene.toml.\n"
       << document << '\n';
   make_folder(folder);
   write_whole(record.scene_text, folder + "/scene.toml");

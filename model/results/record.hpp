@@ -12,14 +12,16 @@ namespace femsph {
 
 /// Version, git state, compiler, flags, libraries, machine: one "key = value" each.
 std::vector<std::pair<std::string, std::string>> provenance();
-/// Adds to what provenance() says; for parts that this room cannot see, such as the version of deal.II. A known key is overwritten.
+/// Adds to what provenance() says; for parts that this room cannot see, such as the version of deal.II. A
+/// known key is overwritten.
 void add_provenance(std::string key, std::string value);
 /// "femsph 0.1.0 (git 1a2b3c4, modified)"
 std::string version_line();
 
 struct RunRecord {
   std::string scene_file, scene_text, method, command;
-  std::vector<std::pair<std::string, std::string>> derived;  ///< particles, elements, critical step, effects, ..
+  std::vector<std::pair<std::string, std::string>>
+      derived;  ///< particles, elements, critical step, effects, ..
   std::vector<std::string> warnings;
   Ledger ledger;
   Price price;
@@ -38,7 +40,8 @@ class Progress {
   /// Wipes the line, so that what is printed next starts on a clean one.
   ~Progress();
   Progress(const Progress&) = delete;
-  /// Cheap enough for every step: shows at most five times a second. `steps` is the most that the run may take; 0: unknown.
+  /// Cheap enough for every step: shows at most five times a second. `steps` is the most that the run may
+  /// take; 0: unknown.
   void show(long step, long steps, double time);
 
  private:
@@ -49,6 +52,7 @@ class Progress {
 };
 
 /// "beam: step 1200 of 4000, t = 0.0123 s, 812 steps/s, 3 s left"
-std::string progress_line(const std::string& what, long step, long steps, double time, double steps_per_second);
+std::string progress_line(const std::string& what, long step, long steps, double time,
+                          double steps_per_second);
 
 }  // namespace femsph

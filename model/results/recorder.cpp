@@ -24,7 +24,8 @@ class Recoveries {
   const Recovery* of(std::size_t body) {
     const auto [known, fresh] = made_.try_emplace(body);
     if (fresh)
-      if (MaterialUnits units = march_.body(body).discretization->material_units(); !units.place.empty()) known->second.emplace(std::move(units));
+      if (MaterialUnits units = march_.body(body).discretization->material_units(); !units.place.empty())
+        known->second.emplace(std::move(units));
     return known->second ? &*known->second : nullptr;
   }
 
@@ -54,9 +55,11 @@ Recorder::Recorder(const March& march) {
   add("time", "s");
   for (const Probe& probe : scene.probes) {
     probes_.push_back(reading_at(probe, probe.point));
-    for (const std::string& c : component_names(probe.quantity, scene.dim())) add(probe.name + "_" + c, unit_of(probe.quantity));
+    for (const std::string& c : component_names(probe.quantity, scene.dim()))
+      add(probe.name + "_" + c, unit_of(probe.quantity));
   }
-  for (const char* energy : {"kinetic_energy", "strain_energy", "hourglass_energy", "external_work", "damping_loss", "viscosity_loss"})
+  for (const char* energy : {"kinetic_energy", "strain_energy", "hourglass_energy", "external_work",
+                             "damping_loss", "viscosity_loss"})
     add(energy, "J");
   add("energy_imbalance", "J");
   if (scene.is_plastic()) add("plastic_work", "J");
@@ -85,7 +88,8 @@ Recorder::Recorder(const March& march) {
   for (const Section& section : scene.sections) {
     Line line{&section, {}, {}};
     double length = 0;
-    for (int c = 0; c < 3; ++c) length += (section.to[c] - section.from[c]) * (section.to[c] - section.from[c]);
+    for (int c = 0; c < 3; ++c)
+      length += (section.to[c] - section.from[c]) * (section.to[c] - section.from[c]);
     length = std::sqrt(length);
     for (int k = 0; k < section.count; ++k) {
       const double s = section.count > 1 ? double(k) / (section.count - 1) : 0.0;
@@ -101,11 +105,16 @@ Recorder::Recorder(const March& march) {
 /// Names of probes, rigid bodies and supports may meet in a column: "support_foot_force" and "foot".
 void Recorder::add_column(const Scene& scene, const std::string& name, const std::string& unit) {
   if (history_.has(name))
-    throw InputError(scene.file, {Fault{0, 0, fmt::format("the history would have two columns \"{}\"; expected another name for the probe, rigid body or support that gives one of them", name)}});
+    throw InputError(
+        scene.file, {Fault{0, 0,
+                           fmt::format("the history would have two columns \"{}\"; expected another name "
+                                       "for the probe, rigid body or support that gives one of them",
+                                       name)}});
   history_.add(name, unit);
 }
 
-/// What the rule has read of stress and strain (recovery.hpp): equivalent and principal stresses are those of the stress.
+/// What the rule has read of stress and strain (recovery.hpp): equivalent and principal stresses are those of
+/// the stress.
 std::vector<double> Recorder::read_material(const March& march, const Reading& reading) const {
   const MovingBody& body = march.body(reading.body);
   std::vector<std::size_t> points;
@@ -114,19 +123,23 @@ std::vector<double> Recorder::read_material(const March& march, const Reading& r
   body.discretization->material_state(body.u.data(), points, state);
   if (reading.raw && is_scalar(reading.quantity)) {
     double value = 0;
-    for (std::size_t k = 0; k < points.size(); ++k) value += reading.weights[k].weight * scalar_of(state, reading.quantity, k);
+    for (std::size_t k = 0; k < points.size(); ++k)
+      value += reading.weights[k].weight * scalar_of(state, reading.quantity, k);
     return {value};
   }
   if (reading.raw) state.flow_stress.clear();
   const Recovered here = recovered(reading.weights, state, march.scene().plane);
   switch (reading.quantity) {
-    case Quantity::equivalent_stress: return {von_mises(here.stress)};
-    case Quantity::plastic_strain: return {here.plastic};
+    case Quantity::equivalent_stress:
+      return {von_mises(here.stress)};
+    case Quantity::plastic_strain:
+      return {here.plastic};
     case Quantity::principal_stress: {
       const std::array<double, 3> principal = principal_values(here.stress);
       return {principal.begin(), principal.end()};
     }
-    default: break;
+    default:
+      break;
   }
   const auto& values = reading.quantity == Quantity::stress ? here.stress : here.strain;
   return {values.begin(), values.begin() + (march.scene().dim() == 2 ? 4 : 6)};
@@ -142,7 +155,8 @@ std::vector<double> Recorder::read(const March& march, const Reading& reading) c
   for (const Weight& w : reading.weights)
     for (int c = 0; c < dim; ++c) {
       const std::size_t slot = at.at(w.point, c);
-      out[c] += w.weight * (reading.quantity == Quantity::displacement ? body.u[slot] : march.velocity(body, slot));
+      out[c] += w.weight *
+                (reading.quantity == Quantity::displacement ? body.u[slot] : march.velocity(body, slot));
     }
   return out;
 }
@@ -154,7 +168,8 @@ void Recorder::sample(const March& march) {
   for (const Reading& probe : probes_)
     for (double value : read(march, probe)) put(value);
   const Ledger l = march.ledger();
-  for (double energy : {l.kinetic, l.strain, l.hourglass, l.external, l.damping, l.viscosity, l.imbalance()}) put(energy);
+  for (double energy : {l.kinetic, l.strain, l.hourglass, l.external, l.damping, l.viscosity, l.imbalance()})
+    put(energy);
   if (march.scene().is_plastic()) put(l.plastic);
   const int dim = march.scene().dim(), turn = dim == 2 ? 2 : 0;
   const Momentum p = momentum(march);

@@ -16,7 +16,8 @@ class Recorder {
   /// Finds the weights of every probe and section point once.
   explicit Recorder(const March& march);
 
-  /// One row of the history: time, every probe's components (NAME_x, ..), energies in J, momenta, rigid bodies, contacts, reactions.
+  /// One row of the history: time, every probe's components (NAME_x, ..), energies in J, momenta, rigid
+  /// bodies, contacts, reactions.
   void sample(const March& march);
   const History& history() const { return history_; }
   void state(Archive& archive);  ///< the rows so far
@@ -31,7 +32,7 @@ class Recorder {
     std::size_t body;
     Quantity quantity;
     std::vector<Weight> weights;  ///< of points, or of material points for stress and strain
-    bool raw = false;             ///< stress and strain as the discretization interpolates them, not by recovery.hpp
+    bool raw = false;  ///< stress and strain as the discretization interpolates them, not by recovery.hpp
   };
   std::vector<double> read(const March& march, const Reading& reading) const;
   std::vector<double> read_material(const March& march, const Reading& reading) const;
@@ -44,8 +45,8 @@ class Recorder {
   };
   std::vector<Line> lines_;
   void add_column(const Scene& scene, const std::string& name, const std::string& unit);
-  std::vector<Reaction> reactions_;   ///< of all that hold
-  std::vector<std::size_t> reported_; ///< which of them have a name
+  std::vector<Reaction> reactions_;    ///< of all that hold
+  std::vector<std::size_t> reported_;  ///< which of them have a name
   Balance balance_;
   History history_;
 };

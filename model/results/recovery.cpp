@@ -7,16 +7,17 @@
 #include <limits>
 #include <stdexcept>
 
+#include "model/input/faults.hpp"
 #include "model/material/laws/tension.hpp"
 #include "model/numerics/principal.hpp"
 #include "model/numerics/vectors.hpp"
-#include "model/input/faults.hpp"
 
 namespace femsph {
 
 namespace {
 
-constexpr double first_radius = 2, growing = 1.25, deviation = 1e-3, ridge = 1e-4, spread = 0.02, least_pivot = 1e-8;
+constexpr double first_radius = 2, growing = 1.25, deviation = 1e-3, ridge = 1e-4, spread = 0.02,
+                 least_pivot = 1e-8;
 constexpr int spare = 2, idle_growths = 3, most_growths = 40;
 
 constexpr int coefficients_in(int dim) { return (dim + 1) * (dim + 2) / 2; }
@@ -34,8 +35,8 @@ std::array<double, 6> factorised(const std::array<double, 6>& s, int dim) {
   return L;
 }
 
-/// A b = e_0, A symmetric and positive semidefinite, by pivoted elimination; the constant first, and a function whose pivot is below `least_pivot`, which
-/// the points do not determine, is left out.
+/// A b = e_0, A symmetric and positive semidefinite, by pivoted elimination; the constant first, and a
+/// function whose pivot is below `least_pivot`, which the points do not determine, is left out.
 template <std::size_t n>
 std::array<double, n> first_column_of_inverse(std::array<std::array<double, n>, n> a, std::size_t size) {
   std::array<std::size_t, n> order{};
@@ -63,7 +64,8 @@ std::array<double, n> first_column_of_inverse(std::array<std::array<double, n>, 
   return b;
 }
 
-/// Their sum is 1 but for round-off, a thousand times larger where the surface's particles hardly count; constants come out to the last digits.
+/// Their sum is 1 but for round-off, a thousand times larger where the surface's particles hardly count;
+/// constants come out to the last digits.
 std::vector<Weight> of_sum_one(std::vector<Weight> weights) {
   double sum = 0;
   for (const Weight& w : weights) sum += w.weight;
@@ -84,30 +86,36 @@ int spread_directions(const std::array<double, 6>& covariance, int dim) {
 /// The units near a point, and what is fitted to them.
 struct Recovery::Patch {
   const Factor* L = nullptr;
-  Point reach{};                    ///< of the ellipsoid |z| < 1 along the axes
+  Point reach{};  ///< of the ellipsoid |z| < 1 along the axes
   double radius = 0;
   std::vector<std::size_t> units;
-  std::vector<double> weight;       ///< of each
-  std::vector<Basis> mean;          ///< of each: the basis functions over its points
+  std::vector<double> weight;  ///< of each
+  std::vector<Basis> mean;     ///< of each: the basis functions over its points
   std::array<std::array<double, most>, most> matrix{};
-  Basis b{};                        ///< the value is sum_c w_c (mean . b) mean s + ..
+  Basis b{};  ///< the value is sum_c w_c (mean . b) mean s + ..
 };
 
-Recovery::Recovery(MaterialUnits units) : units_(std::move(units)), coefficients_(coefficients_in(units_.dim)) {
+Recovery::Recovery(MaterialUnits units)
+    : units_(std::move(units)), coefficients_(coefficients_in(units_.dim)) {
   const std::size_t n = units_.size(), k = units_.points_per_unit;
   if (n == 0) throw std::logic_error("nothing to recover from: the body has no material units");
   centre_.assign(n, Point{});
   volume_.assign(n, 0.0);
   for (std::size_t q = 0; q < units_.place.size(); ++q) volume_[q / k] += units_.volume[q];
-  for (std::size_t q = 0; q < units_.place.size(); ++q) centre_[q / k] = centre_[q / k] + share(q) * units_.place[q];
+  for (std::size_t q = 0; q < units_.place.size(); ++q)
+    centre_[q / k] = centre_[q / k] + share(q) * units_.place[q];
   Point upper = lower_ = centre_[0], mean{};
   for (const auto& shape : units_.shape) {
     factor_.push_back(factorised(shape, units_.dim));
-    for (std::size_t a = 0; a < 3; ++a) extent_[a] = std::max(extent_[a], std::sqrt(shape[a])), mean[a] += std::sqrt(shape[a]) / double(units_.shape.size());
+    for (std::size_t a = 0; a < 3; ++a)
+      extent_[a] = std::max(extent_[a], std::sqrt(shape[a])),
+      mean[a] += std::sqrt(shape[a]) / double(units_.shape.size());
   }
   for (const Point& x : centre_)
-    for (std::size_t a = 0; a < 3; ++a) lower_[a] = std::min(lower_[a], x[a]), upper[a] = std::max(upper[a], x[a]);
-  for (std::size_t a = 0; int(a) < units_.dim; ++a) count_[a] = std::size_t(std::clamp((upper[a] - lower_[a]) / mean[a], 1.0, 1e6));
+    for (std::size_t a = 0; a < 3; ++a)
+      lower_[a] = std::min(lower_[a], x[a]), upper[a] = std::max(upper[a], x[a]);
+  for (std::size_t a = 0; int(a) < units_.dim; ++a)
+    count_[a] = std::size_t(std::clamp((upper[a] - lower_[a]) / mean[a], 1.0, 1e6));
   while (count_[0] * count_[1] * count_[2] > 8 * n + 64) {  // a thin body at a slant
     std::size_t& longest = *std::max_element(count_.begin(), count_.end());
     longest = (longest + 1) / 2;
@@ -127,7 +135,8 @@ Recovery::Recovery(MaterialUnits units) : units_(std::move(units)), coefficients
 
 std::array<std::size_t, 3> Recovery::bin_of(const Point& p) const {
   std::array<std::size_t, 3> b{};
-  for (std::size_t a = 0; a < 3; ++a) b[a] = std::size_t(std::clamp((p[a] - lower_[a]) / bin_[a], 0.0, double(count_[a] - 1)));
+  for (std::size_t a = 0; a < 3; ++a)
+    b[a] = std::size_t(std::clamp((p[a] - lower_[a]) / bin_[a], 0.0, double(count_[a] - 1)));
   return b;
 }
 
@@ -138,7 +147,8 @@ std::vector<std::size_t> Recovery::within(const Point& p, const Point& half) con
   for (std::size_t k = low[2]; k <= high[2]; ++k)
     for (std::size_t j = low[1]; j <= high[1]; ++j) {
       const std::size_t row = (k * count_[1] + j) * count_[0];
-      out.insert(out.end(), in_bin_.begin() + std::ptrdiff_t(begin_[row + low[0]]), in_bin_.begin() + std::ptrdiff_t(begin_[row + high[0] + 1]));
+      out.insert(out.end(), in_bin_.begin() + std::ptrdiff_t(begin_[row + low[0]]),
+                 in_bin_.begin() + std::ptrdiff_t(begin_[row + high[0] + 1]));
     }
   std::sort(out.begin(), out.end());
   return out;
@@ -182,7 +192,8 @@ void Recovery::look(Patch& patch, const Point& p, double radius, bool deviations
     const double r = dot(z, z) / (radius * radius);
     if (r >= 1) continue;
     patch.units.push_back(c);
-    patch.weight.push_back((units_.quality.empty() ? 1.0 : units_.quality[c]) * volume_[c] * (1 - r) * (1 - r));
+    patch.weight.push_back(
+        (units_.quality.empty() ? 1.0 : units_.quality[c]) * volume_[c] * (1 - r) * (1 - r));
     sum += patch.weight.back();
   }
   const auto add = [&](const Basis& q, double weight) {
@@ -209,13 +220,17 @@ void Recovery::look(Patch& patch, const Point& p, double radius, bool deviations
     for (std::size_t j = 0; j < i; ++j) patch.matrix[i][j] = patch.matrix[j][i];
 }
 
-/// Step 2. A body that is one cell thick, or two, has no spread in that direction at any R: more of it along the others would only blur. So R also ends
-/// where three growths have opened no further direction; how many units are enough goes by the directions that are there.
+/// Step 2. A body that is one cell thick, or two, has no spread in that direction at any R: more of it along
+/// the others would only blur. So R also ends where three growths have opened no further direction; how many
+/// units are enough goes by the directions that are there.
 Recovery::Patch Recovery::around(const Point& p, bool deviations) const {
   Patch patch, best;
   const std::size_t unit = nearest(p);
   if (const Point z = scaled(factor(unit), centre_[unit], p); dot(z, z) > first_radius * first_radius)
-    throw Refusal(fmt::format("stress is read at ({:g}, {:g}, {:g}) m, where the body has no cell or particle within two spacings; take a finer spacing", p[0], p[1], p[2]));
+    throw Refusal(fmt::format(
+        "stress is read at ({:g}, {:g}, {:g}) m, where the body has no cell or particle within "
+        "two spacings; take a finer spacing",
+        p[0], p[1], p[2]));
   const auto& shape = units_.shape[units_.shape.size() > 1 ? unit : 0];
   patch.L = &factor(unit);
   for (std::size_t a = 0; a < 3; ++a) patch.reach[a] = std::sqrt(shape[a]);
@@ -225,14 +240,23 @@ Recovery::Patch Recovery::around(const Point& p, bool deviations) const {
     look(patch, p, radius, deviations);
     if (patch.units.empty()) continue;
     const auto& A = patch.matrix;
-    const auto covariance = [&](std::size_t i, std::size_t j) { return A[i + 1][j + 1] - A[0][i + 1] * A[0][j + 1]; };
+    const auto covariance = [&](std::size_t i, std::size_t j) {
+      return A[i + 1][j + 1] - A[0][i + 1] * A[0][j + 1];
+    };
     const bool space = units_.dim == 3;
-    const std::array<double, 6> moments{covariance(0, 0), covariance(1, 1), space ? covariance(2, 2) : 0.0,
-                                        covariance(0, 1), space ? covariance(1, 2) : 0.0, space ? covariance(2, 0) : 0.0};
+    const std::array<double, 6> moments{
+        covariance(0, 0),
+        covariance(1, 1),
+        space ? covariance(2, 2) : 0.0,
+        covariance(0, 1),
+        space ? covariance(1, 2) : 0.0,
+        space ? covariance(2, 0) : 0.0};
     const int now = spread_directions(moments, units_.dim);
     const bool enough = patch.units.size() >= std::size_t(coefficients_in(std::max(now, 1)) + spare);
-    if (enough && now > directions) best = patch, directions = now, idle = 0;
-    else if (directions > 0) ++idle;
+    if (enough && now > directions)
+      best = patch, directions = now, idle = 0;
+    else if (directions > 0)
+      ++idle;
     if (directions == units_.dim || idle == idle_growths || patch.units.size() == centre_.size()) break;
   }
   return directions > 0 ? best : patch;
@@ -296,17 +320,21 @@ std::optional<StressBound> recovered_bound(std::span<const Weight> weights, cons
   if (state.flow_stress.empty()) return {};
   StressBound bound{};
   bound.yield = kept_within(weights, state.flow_stress);
-  bound.tensile = state.tensile_flow_stress.empty() ? bound.yield : kept_within(weights, state.tensile_flow_stress);
-  bound.strength = state.tensile_strength.empty() ? std::numeric_limits<double>::infinity() : kept_within(weights, state.tensile_strength);
+  bound.tensile = state.tensile_flow_stress.empty() ? bound.yield
+                                                    : kept_within(weights, state.tensile_flow_stress);
+  bound.strength = state.tensile_strength.empty() ? std::numeric_limits<double>::infinity()
+                                                  : kept_within(weights, state.tensile_strength);
   return bound;
 }
 
 std::array<double, 6> limited(const std::array<double, 6>& stress, const StressBound& bound, Plane plane) {
   std::array<double, 6> s = stress;
-  const double mean = (s[0] + s[1] + s[2]) / 3, most = mean > 0 ? bound.tensile : bound.yield, q = von_mises(s);
+  const double mean = (s[0] + s[1] + s[2]) / 3, most = mean > 0 ? bound.tensile : bound.yield,
+               q = von_mises(s);
   if (q > most) {
     const double middle = plane == Plane::stress ? 0.0 : mean;
-    for (std::size_t c = 0; c < 6; ++c) s[c] = c < 3 ? middle + (s[c] - middle) * (most / q) : s[c] * (most / q);
+    for (std::size_t c = 0; c < 6; ++c)
+      s[c] = c < 3 ? middle + (s[c] - middle) * (most / q) : s[c] * (most / q);
   }
   if (std::isfinite(bound.strength)) {
     plastic::PointStress<double, 3> cut{{s[0], s[1], s[2], s[3], s[4], s[5]}, 0.0};

@@ -22,7 +22,8 @@ namespace {
 class Temporary {
  public:
   /// The process number keeps apart two runs that write to one folder.
-  explicit Temporary(const std::string& file) : file_(file), name_(fmt::format("{}.{}.part", file, ::getpid())) {
+  explicit Temporary(const std::string& file)
+      : file_(file), name_(fmt::format("{}.{}.part", file, ::getpid())) {
     descriptor_ = ::open(name_.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666);
     if (descriptor_ < 0) fail(file_, errno);
   }
@@ -43,7 +44,8 @@ class Temporary {
 
   /// A full disk may show only in fsync or close (delayed allocation, network file systems): both count.
   void rename() {
-    if (::fsync(descriptor_) != 0 && errno != EINVAL) fail(file_, errno);  // EINVAL: a file system that cannot sync
+    if (::fsync(descriptor_) != 0 && errno != EINVAL)
+      fail(file_, errno);  // EINVAL: a file system that cannot sync
     const int closed = ::close(descriptor_);
     descriptor_ = -1;
     if (closed != 0) fail(file_, errno);
@@ -61,7 +63,8 @@ class Temporary {
 std::string target(const std::string& file) {
   namespace fs = std::filesystem;
   std::error_code none;
-  const fs::path path = fs::is_symlink(file, none) && fs::exists(file, none) ? fs::canonical(file, none) : fs::path(file);
+  const fs::path path = fs::is_symlink(file, none) && fs::exists(file, none) ? fs::canonical(file, none)
+                                                                             : fs::path(file);
   const fs::file_status status = fs::status(path, none);
   if (fs::is_directory(status)) fail(file, EISDIR);
   if (fs::exists(status) && !fs::is_regular_file(status))

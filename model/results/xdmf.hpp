@@ -16,22 +16,26 @@ struct Field {
   bool at_points;  ///< else at material points: cells, or the points of a body without cells
 };
 
-/// Tensors have nine components although six would do: XDMF's Tensor6 (xx xy xz yy yz zz) is taken for VTK's order
-/// (xx yy zz xy yz xz) by one of ParaView's readers and expanded correctly by another.
-inline constexpr std::array<Field, 6> fields{{{"displacement", "Vector", 3, true},
-                                              {"velocity", "Vector", 3, true},
-                                              {"stress", "Tensor", 9, false},
-                                              {"strain", "Tensor", 9, false},
-                                              {"equivalent_stress", "Scalar", 1, false},
-                                              {"principal_stress", "Vector", 3, false}}};  // the largest first
+/// Tensors have nine components although six would do: XDMF's Tensor6 (xx xy xz yy yz zz) is taken for VTK's
+/// order (xx yy zz xy yz xz) by one of ParaView's readers and expanded correctly by another.
+inline constexpr std::array<Field, 6> fields{
+    {{"displacement", "Vector", 3, true},
+     {"velocity", "Vector", 3, true},
+     {"stress", "Tensor", 9, false},
+     {"strain", "Tensor", 9, false},
+     {"equivalent_stress", "Scalar", 1, false},
+     {"principal_stress", "Vector", 3, false}}};  // the largest first
 
-inline constexpr Field plastic_strain{"plastic_strain", "Scalar", 1, false};  ///< equivalent; of bodies whose law has it
+inline constexpr Field plastic_strain{
+    "plastic_strain", "Scalar", 1, false};  ///< equivalent; of bodies whose law has it
 
-/// Stress and strain by the rule of motion/recovery.hpp, at the points: the same reading for meshes and particles.
-inline constexpr std::array<Field, 4> recovered{{{"recovered_stress", "Tensor", 9, true},
-                                                 {"recovered_strain", "Tensor", 9, true},
-                                                 {"recovered_equivalent_stress", "Scalar", 1, true},
-                                                 {"recovered_principal_stress", "Vector", 3, true}}};
+/// Stress and strain by the rule of motion/recovery.hpp, at the points: the same reading for meshes and
+/// particles.
+inline constexpr std::array<Field, 4> recovered{
+    {{"recovered_stress", "Tensor", 9, true},
+     {"recovered_strain", "Tensor", 9, true},
+     {"recovered_equivalent_stress", "Scalar", 1, true},
+     {"recovered_principal_stress", "Vector", 3, true}}};
 inline constexpr Field recovered_plastic_strain{"recovered_plastic_strain", "Scalar", 1, true};
 
 struct Body {
@@ -55,7 +59,7 @@ struct Frame {
 std::string group(std::size_t body);
 
 /// The whole document; geometry_file holds the groups' "points" and "cells", a frame's file their fields.
-std::string document(const std::vector<Body>& bodies, const std::vector<Frame>& frames, const std::string& geometry_file,
-                     const std::string& label = "fields");
+std::string document(const std::vector<Body>& bodies, const std::vector<Frame>& frames,
+                     const std::string& geometry_file, const std::string& label = "fields");
 
 }  // namespace femsph::xdmf

@@ -18,13 +18,17 @@ std::vector<std::string> component_names(Quantity quantity, int dim) {
 
 std::string unit_of(Quantity quantity) {
   switch (quantity) {
-    case Quantity::displacement: return "m";
-    case Quantity::velocity: return "m/s";
+    case Quantity::displacement:
+      return "m";
+    case Quantity::velocity:
+      return "m/s";
     case Quantity::stress:
     case Quantity::equivalent_stress:
-    case Quantity::principal_stress: return "Pa";
+    case Quantity::principal_stress:
+      return "Pa";
     case Quantity::strain:
-    case Quantity::plastic_strain: break;
+    case Quantity::plastic_strain:
+      break;
   }
   return "1";
 }

@@ -14,10 +14,11 @@ Law Material::law(Plane plane) const {
 }
 
 const std::vector<std::pair<std::string, Integration>>& integrations() {
-  static const std::vector<std::pair<std::string, Integration>> words = {{"return", Integration::return_mapping},
-                                                                         {"no-return-1", Integration::tangent},
-                                                                         {"no-return-3", Integration::largest_stress},
-                                                                         {"no-return-8", Integration::modulus_mistaken}};
+  static const std::vector<std::pair<std::string, Integration>> words = {
+      {"return", Integration::return_mapping},
+      {"no-return-1", Integration::tangent},
+      {"no-return-3", Integration::largest_stress},
+      {"no-return-8", Integration::modulus_mistaken}};
   return words;
 }
 
@@ -43,7 +44,9 @@ Point product(const Matrix& a, const Point& x) {
 Point InitialVelocity::at(const Point& p) const {
   const Point r{p[0] - centre[0], p[1] - centre[1], p[2] - centre[2]};
   Point v = product(gradient, r);
-  const double amplitude = profile ? std::sin(2 * std::acos(-1.0) * (p[profile->axis] - profile->origin) / profile->wavelength) : 1.0;
+  const double amplitude = profile ? std::sin(2 * std::acos(-1.0) * (p[profile->axis] - profile->origin) /
+                                              profile->wavelength)
+                                   : 1.0;
   for (int c = 0; c < 3; ++c) {
     const int a = (c + 1) % 3, b = (c + 2) % 3;
     v[c] = amplitude * (v[c] + velocity[c] + spin[a] * r[b] - spin[b] * r[a]);
@@ -51,7 +54,9 @@ Point InitialVelocity::at(const Point& p) const {
   return v;
 }
 
-Point InitialDisplacement::at(const Point& p) const { return product(gradient, {p[0] - centre[0], p[1] - centre[1], p[2] - centre[2]}); }
+Point InitialDisplacement::at(const Point& p) const {
+  return product(gradient, {p[0] - centre[0], p[1] - centre[1], p[2] - centre[2]});
+}
 
 bool Region::contains(const Point& p, double tolerance) const {
   for (int a = 0; a < 3; ++a)
@@ -81,12 +86,16 @@ LinearElastic elastic_of(const Scene& scene, std::size_t body, const std::string
   const Material& material = scene.material_of(scene.bodies.at(body));
   const Law law = material.law(scene.plane);
   if (const auto* elastic = std::get_if<LinearElastic>(&law)) return *elastic;
-  throw Refusal(what + " is linear elastic; the material \"" + material.name + "\" is " + (material.neo_hookean ? "neo-Hookean" : "plastic"));
+  throw Refusal(what + " is linear elastic; the material \"" + material.name + "\" is " +
+                (material.neo_hookean ? "neo-Hookean" : "plastic"));
 }
 
 bool Scene::is_plastic() const {
-  return std::any_of(bodies.begin(), bodies.end(), [&](const Body& body) { return !body.rigid && material_of(body).plasticity.has_value(); }) ||
-         std::any_of(bars.begin(), bars.end(), [&](const Bar& bar) { return materials.at(bar.material).plasticity.has_value(); });
+  return std::any_of(
+             bodies.begin(), bodies.end(),
+             [&](const Body& body) { return !body.rigid && material_of(body).plasticity.has_value(); }) ||
+         std::any_of(bars.begin(), bars.end(),
+                     [&](const Bar& bar) { return materials.at(bar.material).plasticity.has_value(); });
 }
 
 namespace {
@@ -123,16 +132,22 @@ std::vector<std::string> Scene::effects() const {
   add(large_motion, "finite rotation");
   add_plastic_effects(*this, on);
   add(!supports.empty(), "supports");
-  add(std::any_of(supports.begin(), supports.end(), [](const Support& support) { return support.velocity != Point{}; }), "moved supports");
+  add(std::any_of(supports.begin(), supports.end(),
+                  [](const Support& support) { return support.velocity != Point{}; }),
+      "moved supports");
   add(!symmetries.empty(), "symmetry");
   add(!bars.empty(), "bars");
   add(!loads.empty(), "loads");
   add(!initial_velocities.empty(), "initial velocity");
   add(!initial_displacements.empty(), "initial displacement");
   add(std::any_of(bodies.begin(), bodies.end(), [](const Body& body) { return body.rigid; }), "rigid bodies");
-  add(std::any_of(contacts.begin(), contacts.end(), [](const Contact& contact) { return !contact.tied; }), "contact");
-  add(std::any_of(contacts.begin(), contacts.end(), [](const Contact& contact) { return contact.tied; }), "tied bodies");
-  add(std::any_of(contacts.begin(), contacts.end(), [](const Contact& contact) { return contact.friction > 0; }), "friction");
+  add(std::any_of(contacts.begin(), contacts.end(), [](const Contact& contact) { return !contact.tied; }),
+      "contact");
+  add(std::any_of(contacts.begin(), contacts.end(), [](const Contact& contact) { return contact.tied; }),
+      "tied bodies");
+  add(std::any_of(
+          contacts.begin(), contacts.end(), [](const Contact& contact) { return contact.friction > 0; }),
+      "friction");
   add(gravity.has_value(), "gravity");
   add(damping.has_value(), "damping");
   add(settling && settling->method == SettlingMethod::damping, "settling by damping");

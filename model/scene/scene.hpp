@@ -1,6 +1,7 @@
 #pragma once
 // The case, before any discretization: what a scene file says, validated, in SI units.
-// No solver word belongs here: element, formulation, kernel and spacing are chosen by a study or on the command line.
+// No solver word belongs here: element, formulation, kernel and spacing are chosen by a study or on the
+// command line.
 
 #include <array>
 #include <limits>
@@ -10,8 +11,8 @@
 #include <string>
 #include <vector>
 
-#include "model/material/law.hpp"
 #include "model/input/faults.hpp"
+#include "model/material/law.hpp"
 #include "model/scene/shapes/shape.hpp"
 
 namespace femsph {
@@ -20,10 +21,10 @@ using Matrix = std::array<Point, 3>;  ///< rows
 
 struct Material {
   std::string name;
-  double young, poisson, density;  ///< Pa, 1, kg/m^3
+  double young, poisson, density;             ///< Pa, 1, kg/m^3
   std::optional<Plasticity> plasticity = {};  ///< none: elastic
-  bool neo_hookean = false;        ///< elastic, at large strain
-  Law law(Plane plane) const;      ///< the law of this material in that plane
+  bool neo_hookean = false;                   ///< elastic, at large strain
+  Law law(Plane plane) const;                 ///< the law of this material in that plane
 };
 
 /// The words for stress integration: "return", "no-return-1", ..
@@ -44,17 +45,20 @@ struct Region {
   bool contains(const Point& p, double tolerance) const;
 };
 
-/// Part of a body: the points of its boundary that lie on all of `sides` (one side: a face; two: an edge in 3D, a corner in 2D;
-/// three: a corner in 3D); or, with `point`, the discretization point nearest to it; or, with neither, the whole body.
+/// Part of a body: the points of its boundary that lie on all of `sides` (one side: a face; two: an edge in
+/// 3D, a corner in 2D; three: a corner in 3D); or, with `point`, the discretization point nearest to it; or,
+/// with neither, the whole body.
 struct Place {
-  std::size_t body = 0;            ///< index into Scene::bodies
-  std::vector<std::string> sides;  ///< names known to the body's shape: "x-", "x+", .. or a physical group of a mesh
-  std::optional<Point> point;      ///< m
+  std::size_t body = 0;  ///< index into Scene::bodies
+  std::vector<std::string>
+      sides;  ///< names known to the body's shape: "x-", "x+", .. or a physical group of a mesh
+  std::optional<Point> point;  ///< m
   Source source;
   std::optional<Region> within{};  ///< of these, only the points in here
 };
 
-/// How a load or a moved support grows in time: a piecewise linear factor, held constant beyond its ends. A step is one point (0, 1).
+/// How a load or a moved support grows in time: a piecewise linear factor, held constant beyond its ends. A
+/// step is one point (0, 1).
 struct TimeHistory {
   std::vector<double> time{0.0};  ///< s, increasing
   std::vector<double> factor{1.0};
@@ -63,12 +67,12 @@ struct TimeHistory {
 
 struct Support {
   Place place;
-  std::array<bool, 3> fixed{};  ///< which displacement components are held where they start
+  std::array<bool, 3> fixed{};       ///< which displacement components are held where they start
   std::array<bool, 3> fixed_turn{};  ///< of a rigid body: about which axes it cannot turn
-  bool mean = false;            ///< only the weighted mean over the place is held, so that the place may turn
-  Point velocity{};             ///< m/s: the held components move so, times `history`
+  bool mean = false;  ///< only the weighted mean over the place is held, so that the place may turn
+  Point velocity{};   ///< m/s: the held components move so, times `history`
   TimeHistory history{};
-  std::string name{};           ///< its reaction is in the history under this; empty: not asked for
+  std::string name{};  ///< its reaction is in the history under this; empty: not asked for
 };
 
 /// A plane side of a body beyond which the body goes on, mirrored; its normal displacement is zero.
@@ -78,7 +82,8 @@ struct Symmetry {
   bool upper() const { return place.sides[0][1] == '+'; }
 };
 
-/// Reinforcement along one axis, perfectly bonded to its body. It adds its stiffness and its mass to the body, which keeps its own.
+/// Reinforcement along one axis, perfectly bonded to its body. It adds its stiffness and its mass to the
+/// body, which keeps its own.
 struct Bar {
   std::string name;
   std::size_t body = 0;
@@ -89,8 +94,9 @@ struct Bar {
   int axis() const;
 };
 
-/// A force on a place, given as its total; each discretization shares it out (consistently over a face's area). Or a pressure on
-/// one side, along the normal and over the area that the boundary has there at the start.
+/// A force on a place, given as its total; each discretization shares it out (consistently over a face's
+/// area). Or a pressure on one side, along the normal and over the area that the boundary has there at the
+/// start.
 struct Load {
   Place place;
   Point force{};  ///< N
@@ -98,7 +104,8 @@ struct Load {
   double pressure = 0;  ///< Pa, inward; instead of the force
 };
 
-/// Motion of a body at the start, v(X) = s(X) (velocity + spin x (X - centre) + gradient (X - centre)). Several of one body add up.
+/// Motion of a body at the start, v(X) = s(X) (velocity + spin x (X - centre) + gradient (X - centre)).
+/// Several of one body add up.
 struct InitialVelocity {
   std::size_t body = 0;
   Point velocity{};   ///< m/s
@@ -122,8 +129,8 @@ struct InitialDisplacement {
   Point at(const Point& p) const;
 };
 
-/// Two bodies, one of them deformable at least, that press on each other where they touch; or, tied, two that deform and are bonded where
-/// they touch at the start.
+/// Two bodies, one of them deformable at least, that press on each other where they touch; or, tied, two that
+/// deform and are bonded where they touch at the start.
 struct Contact {
   std::string name;
   std::array<std::size_t, 2> between{};  ///< indices into Scene::bodies
@@ -133,11 +140,21 @@ struct Contact {
   bool tied = false;
 };
 
-/// plastic_strain: equivalent; equivalent_stress: von Mises; principal_stress: the largest first, the one across a plane included.
-enum class Quantity { displacement, velocity, stress, strain, plastic_strain, equivalent_stress, principal_stress };
+/// plastic_strain: equivalent; equivalent_stress: von Mises; principal_stress: the largest first, the one
+/// across a plane included.
+enum class Quantity {
+  displacement,
+  velocity,
+  stress,
+  strain,
+  plastic_strain,
+  equivalent_stress,
+  principal_stress
+};
 
-/// How stress and strain are read at a point: by the one rule of model/results/recovery.hpp, or by the discretization's own interpolation of its
-/// material points, whose order at a surface is the method's own affair.
+/// How stress and strain are read at a point: by the one rule of model/results/recovery.hpp, or by the
+/// discretization's own interpolation of its material points, whose order at a surface is the method's own
+/// affair.
 enum class StressReading { recovered, raw };
 
 /// Something read at a point in every sample of a run.
@@ -162,11 +179,13 @@ struct Section {
 enum class SettlingMethod { damping, kinetic };
 
 /// Ask for the static state: march with damping until the motion has died out.
-///   damping: mass-proportional, c = 2 omega_1 unless `rate` says otherwise (omega_1 from the Rayleigh quotient of the motion itself);
-///   kinetic: no damping; velocities are set to zero at every peak of the kinetic energy.
+///   damping: mass-proportional, c = 2 omega_1 unless `rate` says otherwise (omega_1 from the Rayleigh
+///   quotient of the motion itself); kinetic: no damping; velocities are set to zero at every peak of the
+///   kinetic energy.
 struct Settling {
   SettlingMethod method = SettlingMethod::damping;
-  double tolerance = 1e-4;     ///< settled when the amplitude of what still moves is below this share of the displacement
+  double tolerance =
+      1e-4;  ///< settled when the amplitude of what still moves is below this share of the displacement
   std::optional<double> rate;  ///< c, 1/s: damping force = c m v
 };
 
@@ -192,9 +211,11 @@ struct Scene {
   double duration = 0;  ///< s; with settling: at most this long
   int samples = 400;    ///< rows of the histories over the duration
   int snapshots = 20;   ///< fields written over the duration
-  bool recovered_fields = false;  ///< fields hold stress and strain by the one rule at nodes and particles too
+  bool recovered_fields =
+      false;  ///< fields hold stress and strain by the one rule at nodes and particles too
   std::optional<Settling> settling;
-  std::vector<std::string> warnings;  ///< what the reader wants said: each "file:line:column: text", or a sentence
+  std::vector<std::string>
+      warnings;  ///< what the reader wants said: each "file:line:column: text", or a sentence
 
   int dim() const { return plane == Plane::none ? 3 : 2; }
   const Material& material_of(const Body& body) const { return materials.at(body.material); }
@@ -205,7 +226,8 @@ struct Scene {
   std::vector<std::string> effects() const;
 };
 
-/// The elastic law of a body, for a solver `what` that knows no other. Throws std::runtime_error when its material is plastic.
+/// The elastic law of a body, for a solver `what` that knows no other. Throws std::runtime_error when its
+/// material is plastic.
 LinearElastic elastic_of(const Scene& scene, std::size_t body, const std::string& what);
 
 }  // namespace femsph

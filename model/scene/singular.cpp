@@ -25,16 +25,20 @@ Region part_of(const Box& box, const Place& place) {
   }
   if (place.within)
     for (int c = 0; c < 3; ++c)
-      part.lower[c] = std::max(part.lower[c], place.within->lower[c]), part.upper[c] = std::min(part.upper[c], place.within->upper[c]);
+      part.lower[c] = std::max(part.lower[c], place.within->lower[c]),
+      part.upper[c] = std::min(part.upper[c], place.within->upper[c]);
   return part;
 }
 
-/// Some cell has `count` vertices on the place that make one of its facets (2 in a plane, 4 in space) or edges (2).
+/// Some cell has `count` vertices on the place that make one of its facets (2 in a plane, 4 in space) or
+/// edges (2).
 bool some_facet_on(const Shape& shape, const CellMesh& mesh, const Place& place, int corners) {
   const double tolerance = tolerance_of(shape);
   std::vector<char> on(mesh.vertices.size());
   for (std::size_t v = 0; v < on.size(); ++v)
-    on[v] = std::all_of(place.sides.begin(), place.sides.end(), [&](const std::string& side) { return shape.on_side(side, mesh.vertices[v], tolerance); });
+    on[v] = std::all_of(place.sides.begin(), place.sides.end(), [&](const std::string& side) {
+      return shape.on_side(side, mesh.vertices[v], tolerance);
+    });
   const int per_cell = mesh.dim == 2 ? 4 : 8;
   for (const auto& cell : mesh.cells)
     for (int axis = 0; axis < mesh.dim; ++axis)
@@ -61,7 +65,8 @@ int codimension(const Scene& scene, const Place& place) {
   if (dynamic_cast<const Ball*>(&shape)) return place.sides[0] == "outer" ? 1 : dim;
   CellMesh cut;
   const CellMesh* mesh = shape.cells();
-  if (const auto* own = dynamic_cast<const StructuredShape*>(&shape); own && !mesh) mesh = &(cut = own->mesh({4, 4, 4}));
+  if (const auto* own = dynamic_cast<const StructuredShape*>(&shape); own && !mesh)
+    mesh = &(cut = own->mesh({4, 4, 4}));
   if (!mesh) return int(place.sides.size());
   if (some_facet_on(shape, *mesh, place, dim == 2 ? 2 : 4)) return 1;
   return dim == 3 && some_facet_on(shape, *mesh, place, 2) ? 2 : dim;
@@ -76,7 +81,8 @@ bool at_place(const Scene& scene, const Place& place, const Point& p, double rea
   } else if (const auto* box = dynamic_cast<const Box*>(&shape)) {
     part = part_of(*box, place);
   } else {
-    return std::all_of(place.sides.begin(), place.sides.end(), [&](const std::string& side) { return shape.on_side(side, p, near); }) &&
+    return std::all_of(place.sides.begin(), place.sides.end(),
+                       [&](const std::string& side) { return shape.on_side(side, p, near); }) &&
            (!place.within || place.within->contains(p, near));
   }
   double distance = 0;
@@ -111,11 +117,14 @@ std::vector<std::string> observers(const Scene& scene, std::size_t body, Reads r
 
 std::string listed(const std::vector<std::string>& names) {
   std::string text;
-  for (std::size_t i = 0; i < names.size(); ++i) text += (i == 0 ? "" : i + 1 == names.size() ? " and " : ", ") + in_quotes(names[i]);
+  for (std::size_t i = 0; i < names.size(); ++i)
+    text += (i == 0 ? "" : i + 1 == names.size() ? " and " : ", ") + in_quotes(names[i]);
   return text + (names.size() == 1 ? " reads" : " read");
 }
 
-const char* word_of(const Scene& scene, int codimension) { return codimension >= scene.dim() ? "a point" : "a line"; }
+const char* word_of(const Scene& scene, int codimension) {
+  return codimension >= scene.dim() ? "a point" : "a line";
+}
 
 double largest_factor(const TimeHistory& history) {
   double most = 0;
@@ -129,20 +138,28 @@ bool free_of_force(const Scene& scene, std::size_t body, int axis) {
   for (const Load& load : scene.loads) {
     if (load.place.body != body) continue;
     if (load.pressure != 0) return false;
-    sum += load.force[axis] * load.history.factor.back(), most = std::max(most, std::abs(load.force[axis]) * largest_factor(load.history));
+    sum += load.force[axis] * load.history.factor.back(),
+        most = std::max(most, std::abs(load.force[axis]) * largest_factor(load.history));
   }
-  const auto of_body = [&](const auto& list) { return std::any_of(list.begin(), list.end(), [&](const auto& one) { return one.body == body; }); };
-  const bool touches = std::any_of(scene.contacts.begin(), scene.contacts.end(), [&](const Contact& c) { return c.between[0] == body || c.between[1] == body; });
-  const bool moved = std::any_of(scene.supports.begin(), scene.supports.end(), [&](const Support& s) { return s.place.body == body && s.velocity != Point{}; });
-  return std::abs(sum) <= 1e-12 * most && !(scene.gravity && (*scene.gravity)[axis] != 0) && !of_body(scene.initial_velocities) && !of_body(scene.initial_displacements) &&
-         !touches && !moved;
+  const auto of_body = [&](const auto& list) {
+    return std::any_of(list.begin(), list.end(), [&](const auto& one) { return one.body == body; });
+  };
+  const bool touches = std::any_of(scene.contacts.begin(), scene.contacts.end(), [&](const Contact& c) {
+    return c.between[0] == body || c.between[1] == body;
+  });
+  const bool moved = std::any_of(scene.supports.begin(), scene.supports.end(), [&](const Support& s) {
+    return s.place.body == body && s.velocity != Point{};
+  });
+  return std::abs(sum) <= 1e-12 * most && !(scene.gravity && (*scene.gravity)[axis] != 0) &&
+         !of_body(scene.initial_velocities) && !of_body(scene.initial_displacements) && !touches && !moved;
 }
 
 bool may_bear(const Scene& scene, const Support& support) {
   for (int c = 0; c < scene.dim(); ++c) {
     if (!support.fixed[c]) continue;
     int holders = 0;
-    for (const Support& other : scene.holds()) holders += other.place.body == support.place.body && other.fixed[c];
+    for (const Support& other : scene.holds())
+      holders += other.place.body == support.place.body && other.fixed[c];
     if (holders > 1 || !free_of_force(scene, support.place.body, c)) return true;
   }
   return false;
@@ -151,14 +168,27 @@ bool may_bear(const Scene& scene, const Support& support) {
 void add_forces(const Scene& scene, double reach, std::vector<SingularPlace>& found) {
   for (const Load& load : scene.loads) {
     const std::size_t b = load.place.body;
-    const int lacking = scene.bodies[b].rigid || load.force == Point{} || largest_factor(load.history) == 0 ? 0 : codimension(scene, load.place);
+    const int lacking = scene.bodies[b].rigid || load.force == Point{} || largest_factor(load.history) == 0
+                            ? 0
+                            : codimension(scene, load.place);
     if (lacking < 2) continue;
-    const auto names = observers(scene, b, [&](Quantity, const Point& p) { return at_place(scene, load.place, p, reach); });
+    const auto names = observers(
+        scene, b, [&](Quantity, const Point& p) { return at_place(scene, load.place, p, reach); });
     if (names.empty()) continue;
-    std::string text = fmt::format("a force on {}: the exact displacement and stress there are infinite, so that no spacing is fine enough for what {} there", word_of(scene, lacking), listed(names));
-    const double each = sinks_per_halving(scene, load.place) * std::max({std::abs(load.force[0]), std::abs(load.force[1]), std::abs(load.force[2])}) * largest_factor(load.history);
-    if (each > 0) text += fmt::format(" (the displacement gains about {:.3g} mm with every halving of the spacing)", 1e3 * each);
-    found.push_back({SingularPlace::Kind::force, b, load.place.source, names, text + "; what is read away from it converges; expected a force on part of a side (at with \"within\"), or a reading elsewhere"});
+    std::string text = fmt::format(
+        "a force on {}: the exact displacement and stress there are infinite, so that no spacing is fine "
+        "enough for what {} there",
+        word_of(scene, lacking), listed(names));
+    const double each = sinks_per_halving(scene, load.place) *
+                        std::max(
+                            {std::abs(load.force[0]), std::abs(load.force[1]), std::abs(load.force[2])}) *
+                        largest_factor(load.history);
+    if (each > 0)
+      text += fmt::format(
+          " (the displacement gains about {:.3g} mm with every halving of the spacing)", 1e3 * each);
+    found.push_back({SingularPlace::Kind::force, b, load.place.source, names,
+                     text + "; what is read away from it converges; expected a force on part of a side (at "
+                            "with \"within\"), or a reading elsewhere"});
   }
 }
 
@@ -167,12 +197,17 @@ void add_holds(const Scene& scene, double reach, std::vector<SingularPlace>& fou
     const std::size_t b = support.place.body;
     const int lacking = scene.bodies[b].rigid || support.mean ? 0 : codimension(scene, support.place);
     if (lacking < 2 || !may_bear(scene, support)) continue;
-    const auto names = observers(scene, b, [&](Quantity quantity, const Point& p) { return moves(quantity) != at_place(scene, support.place, p, reach); });
+    const auto names = observers(scene, b, [&](Quantity quantity, const Point& p) {
+      return moves(quantity) != at_place(scene, support.place, p, reach);
+    });
     if (names.empty()) continue;
-    found.push_back({SingularPlace::Kind::hold, b, support.place.source, names,
-                     fmt::format("a support on {}: if it bears a reaction, the body sinks into it without limit as the spacing is refined, and with it what {}; stress away from it converges, and so do "
-                                 "displacements against each other; expected a support on part of a side (at with \"within\")",
-                                 word_of(scene, lacking), listed(names))});
+    found.push_back(
+        {SingularPlace::Kind::hold, b, support.place.source, names,
+         fmt::format(
+             "a support on {}: if it bears a reaction, the body sinks into it without limit as the spacing "
+             "is refined, and with it what {}; stress away from it converges, and so do "
+             "displacements against each other; expected a support on part of a side (at with \"within\")",
+             word_of(scene, lacking), listed(names))});
   }
 }
 
@@ -181,7 +216,8 @@ bool is_free(const Scene& scene, std::size_t body, int axis, bool upper) {
   const std::string side{"xyz"[axis], upper ? '+' : '-'};
   const auto holds = scene.holds();
   return std::none_of(holds.begin(), holds.end(), [&](const Support& s) {
-    return s.place.body == body && s.fixed[axis] && !s.mean && (s.place.sides.empty() ? !s.place.point : s.place.sides == std::vector<std::string>{side});
+    return s.place.body == body && s.fixed[axis] && !s.mean &&
+           (s.place.sides.empty() ? !s.place.point : s.place.sides == std::vector<std::string>{side});
   });
 }
 
@@ -193,9 +229,12 @@ std::vector<Region> ends_of(const Scene& scene, const Support& support, const Bo
   for (int axis = 0; axis < scene.dim(); ++axis) {
     if (axis == normal) continue;
     for (const bool upper : {false, true}) {
-      const double at = (upper ? part.upper : part.lower)[axis], border = (upper ? box.upper() : box.lower())[axis];
+      const double at = (upper ? part.upper : part.lower)[axis],
+                   border = (upper ? box.upper() : box.lower())[axis];
       const bool inside = std::abs(at - border) > tolerance_of(box);
-      if (!inside && !(clamps && support.fixed[normal] && support.fixed[axis] && is_free(scene, support.place.body, axis, upper))) continue;
+      if (!inside && !(clamps && support.fixed[normal] && support.fixed[axis] &&
+                       is_free(scene, support.place.body, axis, upper)))
+        continue;
       ends.push_back(part);
       ends.back().lower[axis] = ends.back().upper[axis] = at;
     }
@@ -207,20 +246,26 @@ void add_clamps(const Scene& scene, double reach, std::vector<SingularPlace>& fo
   for (const Support& support : scene.supports) {
     const std::size_t b = support.place.body;
     const auto* box = dynamic_cast<const Box*>(scene.bodies[b].shape.get());
-    if (!box || scene.bodies[b].rigid || support.mean || codimension(scene, support.place) != 1 || support.place.sides.size() != 1) continue;
+    if (!box || scene.bodies[b].rigid || support.mean || codimension(scene, support.place) != 1 ||
+        support.place.sides.size() != 1)
+      continue;
     const Material& m = scene.material_of(scene.bodies[b]);
     const bool bounded = m.plasticity && m.plasticity->hardening == 0 && !m.plasticity->johnson_cook;
     const double near = std::max(reach, tolerance_of(*box));
     const auto ends = ends_of(scene, support, *box, m.poisson > 0);
     const auto names = observers(scene, b, [&](Quantity quantity, const Point& p) {
       const bool limited = bounded && quantity != Quantity::strain && quantity != Quantity::plastic_strain;
-      return !moves(quantity) && !limited && std::any_of(ends.begin(), ends.end(), [&](const Region& end) { return end.contains(p, near); });
+      return !moves(quantity) && !limited &&
+             std::any_of(ends.begin(), ends.end(), [&](const Region& end) { return end.contains(p, near); });
     });
     if (names.empty()) continue;
     const double lambda = clamped_corner_exponent(m.poisson, scene.plane);
-    found.push_back({SingularPlace::Kind::clamp, b, support.place.source, names,
-                     fmt::format("where this held side ends, the exact elastic stress and strain are infinite{}, and {} there: no spacing is fine enough for that; expected a reading about one thickness away from it",
-                                 support.place.within ? "" : fmt::format(" (as distance^{:.2f})", lambda - 1), listed(names))});
+    found.push_back(
+        {SingularPlace::Kind::clamp, b, support.place.source, names,
+         fmt::format(
+             "where this held side ends, the exact elastic stress and strain are infinite{}, and {} there: "
+             "no spacing is fine enough for that; expected a reading about one thickness away from it",
+             support.place.within ? "" : fmt::format(" (as distance^{:.2f})", lambda - 1), listed(names))});
   }
 }
 
@@ -230,7 +275,8 @@ std::vector<Point> notches_of(const CellMesh& mesh) {
   std::vector<double> angle(mesh.vertices.size());
   for (const auto& cell : mesh.cells)
     for (int c = 0; c < 4; ++c) {
-      const Point &v = mesh.vertices[cell[c]], &a = mesh.vertices[cell[next[c]]], &b = mesh.vertices[cell[before[c]]];
+      const Point &v = mesh.vertices[cell[c]], &a = mesh.vertices[cell[next[c]]],
+                  &b = mesh.vertices[cell[before[c]]];
       const double ax = a[0] - v[0], ay = a[1] - v[1], bx = b[0] - v[0], by = b[1] - v[1];
       angle[cell[c]] += std::atan2(std::abs(ax * by - ay * bx), ax * bx + ay * by) * 180 / std::numbers::pi;
     }
@@ -240,7 +286,8 @@ std::vector<Point> notches_of(const CellMesh& mesh) {
   return found;
 }
 
-/// In a plane, by the angles of the cells. A polygon of seven sides or more that stands for a round hole has less than 240 degrees.
+/// In a plane, by the angles of the cells. A polygon of seven sides or more that stands for a round hole has
+/// less than 240 degrees.
 void add_notches(const Scene& scene, double reach, std::vector<SingularPlace>& found) {
   if (scene.dim() != 2) return;
   for (std::size_t b = 0; b < scene.bodies.size(); ++b) {
@@ -249,12 +296,20 @@ void add_notches(const Scene& scene, double reach, std::vector<SingularPlace>& f
     const double near = std::max(reach, tolerance_of(*scene.bodies[b].shape));
     const auto notches = notches_of(*mesh);
     const auto names = observers(scene, b, [&](Quantity quantity, const Point& p) {
-      return !moves(quantity) && std::any_of(notches.begin(), notches.end(), [&](const Point& v) { return std::hypot(v[0] - p[0], v[1] - p[1]) <= near; });
+      return !moves(quantity) && std::any_of(notches.begin(), notches.end(), [&](const Point& v) {
+        return std::hypot(v[0] - p[0], v[1] - p[1]) <= near;
+      });
     });
     if (!names.empty())
-      found.push_back({SingularPlace::Kind::notch, b, {}, names,
-                       fmt::format("a re-entrant corner of body {}: the exact elastic stress and strain in it are infinite, and {} there: no spacing is fine enough for that; expected a round corner, or a reading away from it",
-                                   in_quotes(scene.bodies[b].name), listed(names))});
+      found.push_back(
+          {SingularPlace::Kind::notch,
+           b,
+           {},
+           names,
+           fmt::format("a re-entrant corner of body {}: the exact elastic stress and strain in "
+                       "it are infinite, and {} there: no spacing is fine enough for that; "
+                       "expected a round corner, or a reading away from it",
+                       in_quotes(scene.bodies[b].name), listed(names))});
   }
 }
 
@@ -262,7 +317,9 @@ void add_notches(const Scene& scene, double reach, std::vector<SingularPlace>& f
 
 double clamped_corner_exponent(double poisson, Plane plane) {
   const double nu = plane == Plane::stress ? poisson / (1 + poisson) : poisson;
-  const auto left_over = [&](double l) { return std::pow(std::sin(l * std::numbers::pi / 2), 2) - (4 * (1 - nu) * (1 - nu) - l * l) / (3 - 4 * nu); };
+  const auto left_over = [&](double l) {
+    return std::pow(std::sin(l * std::numbers::pi / 2), 2) - (4 * (1 - nu) * (1 - nu) - l * l) / (3 - 4 * nu);
+  };
   double low = 0.3, high = 1;
   if (left_over(high) <= 0 || left_over(low) >= 0) return 1;
   for (int turn = 0; turn < 60; ++turn) {
@@ -278,13 +335,17 @@ double sinks_per_halving(const Scene& scene, const Place& place) {
   if (!box || scene.dim() != 2 || body.rigid) return 0;
   const Material& m = scene.material_of(body);
   if (m.plasticity || m.neo_hookean) return 0;
-  const double stiffness = (scene.plane == Plane::strain ? m.young / (1 - m.poisson * m.poisson) : m.young) * body.thickness;
+  const double stiffness = (scene.plane == Plane::strain ? m.young / (1 - m.poisson * m.poisson) : m.young) *
+                           body.thickness;
   const Region part = place.point ? Region{*place.point, *place.point} : part_of(*box, place);
   int borders = 0;
   for (int c = 0; c < 2; ++c)
-    borders += part.upper[c] - box->lower()[c] <= tolerance_of(*box) || box->upper()[c] - part.lower[c] <= tolerance_of(*box);
+    borders += part.upper[c] - box->lower()[c] <= tolerance_of(*box) ||
+               box->upper()[c] - part.lower[c] <= tolerance_of(*box);
   constexpr double pi = std::numbers::pi;
-  return borders == 0 ? 0 : (borders == 1 ? 2 / pi : 1 / (pi / 2 + 1) + 1 / (pi / 2 - 1)) * std::numbers::ln2 / stiffness;
+  return borders == 0
+             ? 0
+             : (borders == 1 ? 2 / pi : 1 / (pi / 2 + 1) + 1 / (pi / 2 - 1)) * std::numbers::ln2 / stiffness;
 }
 
 std::vector<SingularPlace> singular_places(const Scene& scene, double reach) {
@@ -299,7 +360,10 @@ std::vector<SingularPlace> singular_places(const Scene& scene, double reach) {
 std::vector<std::string> singular_warnings(const Scene& scene) {
   std::vector<std::string> lines;
   for (const SingularPlace& place : singular_places(scene))
-    lines.push_back(place.source.line > 0 ? fmt::format("{}:{}:{}: {}", scene.file, place.source.line, place.source.column, place.text) : place.text);
+    lines.push_back(
+        place.source.line > 0
+            ? fmt::format("{}:{}:{}: {}", scene.file, place.source.line, place.source.column, place.text)
+            : place.text);
   return lines;
 }
 

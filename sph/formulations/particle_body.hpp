@@ -1,19 +1,21 @@
 #pragma once
-// What every SPH discretization has in common: where its particles are, what they weigh, and how places and probes find them.
+// What every SPH discretization has in common: where its particles are, what they weigh, and how places and
+// probes find them.
 
 #include <string>
 
 #include "model/motion/discretization.hpp"
 #include "model/numerics/array.hpp"
+#include "sph/formulations/smeared_bars.hpp"
 #include "sph/operators/kernel.hpp"
 #include "sph/particles/particles.hpp"
-#include "sph/formulations/smeared_bars.hpp"
 
 namespace femsph::sph {
 
 class ParticleBody : public Discretization {
  public:
-  ParticleBody(const Scene& scene, std::size_t body, const Options& options, Particles particles, const Kernel& kernel);
+  ParticleBody(const Scene& scene, std::size_t body, const Options& options, Particles particles,
+               const Kernel& kernel);
 
   std::string describe() const override;
   const Layout& layout() const override { return layout_; }
@@ -27,8 +29,9 @@ class ParticleBody : public Discretization {
 
   std::vector<std::string> warnings() const override;
 
-  /// Particles of a place. Where they lie on it a force is shared in proportion to their volumes (of a fitted body to the area of its facets);
-  /// a side that cuts a lattice has the layer of particles whose cells it cuts, each with its area there.
+  /// Particles of a place. Where they lie on it a force is shared in proportion to their volumes (of a fitted
+  /// body to the area of its facets); a side that cuts a lattice has the layer of particles whose cells it
+  /// cuts, each with its area there.
   std::vector<Weight> points_of(const Place& place) const override;
   std::vector<PointArea> outward_areas(const Place& place) const override;
   /// The particle at p itself; between particles, a moving least-squares fit that reproduces linear fields.
@@ -36,24 +39,28 @@ class ParticleBody : public Discretization {
   std::vector<Weight> material_interpolation(const Point& p) const override { return interpolation(p); }
   std::size_t material_points() const override { return particles_.size(); }
   Point material_position(std::size_t point) const override { return particles_.position[point]; }
-  double material_volume(std::size_t point) const override { return particles_.own_volume(point) * thickness_; }
+  double material_volume(std::size_t point) const override {
+    return particles_.own_volume(point) * thickness_;
+  }
   /// Each particle at its own place; see TotalLagrangian for where a corrected gradient belongs.
   MaterialUnits material_units() const override;
   Topology topology() const override;
-  /// The sides of the lattice's cells between particles that belong to one cell: particles sit on the surface, and so do they;
-  /// of a fitted body those of its own cells.
+  /// The sides of the lattice's cells between particles that belong to one cell: particles sit on the
+  /// surface, and so do they; of a fitted body those of its own cells.
   std::vector<Facet> boundary() const override;
 
  protected:
-  /// The flat vector u with the mirrored particles filled in: u itself in a body without symmetry planes. Valid until the next call.
+  /// The flat vector u with the mirrored particles filled in: u itself in a body without symmetry planes.
+  /// Valid until the next call.
   const double* with_mirrored(const double* u) const {
     return particles_.mirrored.empty() ? u : fill_mirrored(u);
   }
   Point place_now(std::size_t particle, const double* u) const;  ///< m, in the deformed body
   /// What to say if a particle's det F is not positive.
   std::optional<Trouble> inside_out(const AlignedVector<double>& det, const double* u) const;
-  /// What a uniform stress must be in balance with: the areas of boundary() at their corners. Empty where the weights are not made so: on lattices, which are
-  /// right by themselves, where sides cut the lattice, in classic SPH, and if the options say so.
+  /// What a uniform stress must be in balance with: the areas of boundary() at their corners. Empty where the
+  /// weights are not made so: on lattices, which are right by themselves, where sides cut the lattice, in
+  /// classic SPH, and if the options say so.
   std::vector<Point> uniform_stress_areas() const;
   std::vector<std::string> warnings_;
   Options options_;

@@ -1,5 +1,6 @@
 #pragma once
-// A material point of the updated form whose law carries its stress from step to step: the Jaumann rate (eq. 9 of the paper). Eight points a call.
+// A material point of the updated form whose law carries its stress from step to step: the Jaumann rate (eq.
+// 9 of the paper). Eight points a call.
 
 #include "model/material/law.hpp"
 #include "sph/formulations/jaumann.hpp"
@@ -10,7 +11,8 @@ template <int dim, class Law>
 struct RatePoint {
   static constexpr int n = symmetric_size<dim>;
   static constexpr bool plastic = !Law::path_independent;
-  /// `work` is that of the stress if the law stores it all (it is a rate, so nothing else says what was stored), else what it does not store; J per thickness.
+  /// `work` is that of the stress if the law stores it all (it is a rate, so nothing else says what was
+  /// stored), else what it does not store; J per thickness.
   enum Slot { stress = 0, strain = n, work = 2 * n, history = 2 * n + 1 };
   static constexpr int size = history + Law::template history_size<dim>;
 
@@ -38,20 +40,25 @@ struct RatePoint {
       own[strain + k] = e[k] + D[k];
       mean[k] = 0.5 * (mean[k] + now[k]);
     }
-    if constexpr (plastic) own[work] += (law.plastic_work(own + history) - taken) * volume;
-    else own[work] += contract(mean, D) * volume;
+    if constexpr (plastic)
+      own[work] += (law.plastic_work(own + history) - taken) * volume;
+    else
+      own[work] += contract(mean, D) * volume;
     volume *= 1.0 + trace(D);
   }
 
   /// J per thickness.
   FEMSPH_INLINE static Pack stored(const Law& law, const Pack& volume, const Pack* own) {
-    if constexpr (plastic) return volume * law.stored_energy(pull(own), pull(own), own + history);
-    else return own[work];
+    if constexpr (plastic)
+      return volume * law.stored_energy(pull(own), pull(own), own + history);
+    else
+      return own[work];
   }
   FEMSPH_INLINE static Pack lost(const Pack* own) { return plastic ? own[work] : Pack{}; }
 
   /// Cauchy stress and strain of one point, six components.
-  static void show(const Law& law, const double* own, std::array<double, 6>& stress_out, std::array<double, 6>& strain_out) {
+  static void show(const Law& law, const double* own, std::array<double, 6>& stress_out,
+                   std::array<double, 6>& strain_out) {
     const double *s = own + stress, *e = own + strain;
     if constexpr (dim == 2) {
       const Symmetric<double, 2> in{s[0], s[1], s[2]}, by{e[0], e[1], e[2]};
@@ -62,8 +69,10 @@ struct RatePoint {
     }
   }
   static double plastic_strain([[maybe_unused]] const Law& law, [[maybe_unused]] const double* own) {
-    if constexpr (plastic) return law.plastic_strain(own + history);
-    else return 0;
+    if constexpr (plastic)
+      return law.plastic_strain(own + history);
+    else
+      return 0;
   }
 };
 

@@ -1,9 +1,11 @@
 #pragma once
-// Bars in SPH: their stress is smeared over the particles of their rows. Particle i stands for a piece of length l_i; with the
-// particle's own gradient H_i the piece's strain e_i and direction of pull p follow (bar_strain), and
+// Bars in SPH: their stress is smeared over the particles of their rows. Particle i stands for a piece of
+// length l_i; with the particle's own gradient H_i the piece's strain e_i and direction of pull p follow
+// (bar_strain), and
 //   P_i += (A l_i / V_i) sigma(e_i) p (x) e_a
-// is what makes sum_i V_i P_i : dH_i the virtual work sum_i A l_i sigma_i de_i. So bars share the particles' divergence, and no
-// motion that the particles do not see can slip past them, as it would past springs between particles.
+// is what makes sum_i V_i P_i : dH_i the virtual work sum_i A l_i sigma_i de_i. So bars share the particles'
+// divergence, and no motion that the particles do not see can slip past them, as it would past springs
+// between particles.
 
 #include <vector>
 

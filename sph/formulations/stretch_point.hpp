@@ -1,8 +1,10 @@
 #pragma once
-// A material point of the updated form whose law knows its stress from the whole stretch (neo-Hookean). The deformation gradient is carried along,
+// A material point of the updated form whose law knows its stress from the whole stretch (neo-Hookean). The
+// deformation gradient is carried along,
 //   F(n+1) = (1 - L/2)^-1 (1 + L/2) F(n),   L the velocity gradient at the middle of the step times dt,
-// exact for any stretch in one step that keeps its axes, and turning exactly like Hughes and Winget's. The law gives the Biot stress T of F = R U;
-// with J the ratio of volumes (in 2D of areas: the force then belongs to the undeformed thickness) the pull is P F^T / J = R T U R^T / J.
+// exact for any stretch in one step that keeps its axes, and turning exactly like Hughes and Winget's. The
+// law gives the Biot stress T of F = R U; with J the ratio of volumes (in 2D of areas: the force then belongs
+// to the undeformed thickness) the pull is P F^T / J = R T U R^T / J.
 
 #include "model/material/spatial_state.hpp"
 
@@ -70,11 +72,13 @@ struct StretchPoint {
         if (i == j) F[i][j] += 1.0;
       }
     FiniteRotation::strain<Pack, dim>(H, e);
-    return volume / determinant(F) * law.stored_energy(e, e, static_cast<const Pack*>(nullptr));  // the law's is per undeformed volume
+    return volume / determinant(F) *
+           law.stored_energy(e, e, static_cast<const Pack*>(nullptr));  // the law's is per undeformed volume
   }
   FEMSPH_INLINE static Pack lost(const Pack*) { return Pack{}; }
 
-  static void show(const Law& law, const double* own, std::array<double, 6>& stress_out, std::array<double, 6>& strain_out) {
+  static void show(const Law& law, const double* own, std::array<double, 6>& stress_out,
+                   std::array<double, 6>& strain_out) {
     Tensor<double, dim> H;
     for (int i = 0; i < dim; ++i)
       for (int j = 0; j < dim; ++j) H[i][j] = own[gradient + i * dim + j];

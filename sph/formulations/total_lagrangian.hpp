@@ -1,16 +1,17 @@
 #pragma once
-// SPH on the initial neighbours: classic (small strain), with row scaling or virtual particles, and corrected.
-// One step is two passes over the particles:
+// SPH on the initial neighbours: classic (small strain), with row scaling or virtual particles, and
+// corrected. One step is two passes over the particles:
 //   1  displacement gradient H; law; Q = (V / K) P B
 //   2  force, the exact adjoint of pass 1
-// by the operator of gradient_operator.hpp. What it tells of energies and states: total_lagrangian_output.hpp.
+// by the operator of gradient_operator.hpp. What it tells of energies and states:
+// total_lagrangian_output.hpp.
 
 #include "model/material/kinematics.hpp"
 #include "model/numerics/array.hpp"
 #include "model/numerics/parallel.hpp"
+#include "sph/formulations/particle_body.hpp"
 #include "sph/operators/gradient_operator.hpp"
 #include "sph/operators/mean_dilatation.hpp"
-#include "sph/formulations/particle_body.hpp"
 #include "sph/pair_forces/viscosity.hpp"
 
 namespace femsph::sph {
@@ -23,8 +24,11 @@ class TotalLagrangian final : public ParticleBody {
   static constexpr int n_symmetric = symmetric_size<dim>, n_state = point_state_size<LawType, dim>;
 
  public:
-  TotalLagrangian(const Scene& scene, std::size_t body, const Options& options, Particles particles, const Kernel& kernel, const LawType& law)
-      : ParticleBody(scene, body, options, std::move(particles), kernel), law_(law), operator_(particles_, kernel, options, thickness_, uniform_stress_areas()) {
+  TotalLagrangian(const Scene& scene, std::size_t body, const Options& options, Particles particles,
+                  const Kernel& kernel, const LawType& law)
+      : ParticleBody(scene, body, options, std::move(particles), kernel),
+        law_(law),
+        operator_(particles_, kernel, options, thickness_, uniform_stress_areas()) {
     if (!operator_.note().empty()) warnings_.push_back(operator_.note());
     q_.assign(stride() * dim * dim, 0.0);
     if constexpr (hourglass) l_.assign(blocks() * lanes * dim, 0.0);
@@ -35,22 +39,32 @@ class TotalLagrangian final : public ParticleBody {
     state_.assign(blocks() * lanes * n_state, 0.0);
     const LinearElastic elastic = law_.elastic();
     kappa_ = options_.hourglass * hourglass_modulus(elastic);
-    if (options.viscosity.on()) viscosity_ = std::make_unique<PairViscosity<dim, Stencils>>(particles_, kernel, options, density_, wave_speed_, thickness_);
+    if (options.viscosity.on())
+      viscosity_ = std::make_unique<PairViscosity<dim, Stencils>>(
+          particles_, kernel, options, density_, wave_speed_, thickness_);
   }
 
   std::size_t bytes() const override {
-    return ParticleBody::bytes() + operator_.bytes() + (viscosity_ ? viscosity_->bytes() : 0) + (q_.size() + l_.size() + h_.size() + state_.size()) * sizeof(double) +
+    return ParticleBody::bytes() + operator_.bytes() + (viscosity_ ? viscosity_->bytes() : 0) +
+           (q_.size() + l_.size() + h_.size() + state_.size()) * sizeof(double) +
            (dilatation_ ? dilatation_->bytes() : 0);
   }
 
-  void internal_force(const double* given, const double* v, [[maybe_unused]] double dt, double* f, double* viscous) override {
+  void internal_force(const double* given, const double* v, [[maybe_unused]] double dt, double* f,
+                      double* viscous) override {
     if constexpr (requires { law_.set_step(dt); }) law_.set_step(dt);
     const double* u = with_mirrored(given);
-    strain_to_stress<Kinematics>(u, [&](std::size_t block, const Symmetric<Pack, dim>& strain) __attribute__((always_inline)) {
-      if constexpr (n_state == 0) return law_.stress(strain);
-      else return advance_law<LawType, Pack, dim, Kinematics>(law_, strain, reinterpret_cast<Pack*>(&state_[block * n_state * lanes]));
+    strain_to_stress<Kinematics>(
+        u, [&](std::size_t block, const Symmetric<Pack, dim>& strain) __attribute__((always_inline)) {
+          if constexpr (n_state == 0)
+            return law_.stress(strain);
+          else
+            return advance_law<LawType, Pack, dim, Kinematics>(
+                law_, strain, reinterpret_cast<Pack*>(&state_[block * n_state * lanes]));
+        });
+    add_bars<Kinematics>(u, bars_.pieces, [](const BarLaw& law, double strain, BarState& state) {
+      return law.advance(strain, state);
     });
-    add_bars<Kinematics>(u, bars_.pieces, [](const BarLaw& law, double strain, BarState& state) { return law.advance(strain, state); });
     mirror_stress();
     stress_to_force(f);
     if (viscous) viscosity_->force(with_mirrored(v), layout_, viscous);
@@ -59,20 +73,27 @@ class TotalLagrangian final : public ParticleBody {
   void stiffness(const double* given, double* y) const override {
     const double* x = with_mirrored(given);
     const LinearElastic elastic = law_.elastic();
-    strain_to_stress<SmallStrain>(x, [&](std::size_t, const Symmetric<Pack, dim>& strain) __attribute__((always_inline)) { return elastic.stress(strain); });
-    add_bars<SmallStrain>(x, bars_.pieces, [](const BarLaw& law, double strain, const BarState&) { return law.young * strain; });
+    strain_to_stress<SmallStrain>(
+        x, [&](std::size_t, const Symmetric<Pack, dim>& strain)
+               __attribute__((always_inline)) { return elastic.stress(strain); });
+    add_bars<SmallStrain>(x, bars_.pieces, [](const BarLaw& law, double strain, const BarState&) {
+      return law.young * strain;
+    });
     mirror_stress();
     stress_to_force(y);
     for (std::size_t i = 0; i < layout_.size; ++i) y[i] = -y[i];
   }
 
   bool has_viscosity() const override { return viscosity_ != nullptr; }
-  void damping_matrix(const double* x, double* y) const override { viscosity_->matrix(with_mirrored(x), layout_, y); }
+  void damping_matrix(const double* x, double* y) const override {
+    viscosity_->matrix(with_mirrored(x), layout_, y);
+  }
 
   Energies energies(const double* given) const override;
   std::vector<BarPiece> bars(const double* u) const override;
   MaterialUnits material_units() const override;
-  void material_state(const double* given, std::span<const std::size_t> points, MaterialState& out) const override;
+  void material_state(const double* given, std::span<const std::size_t> points,
+                      MaterialState& out) const override;
   std::optional<Trouble> trouble(const double* given) const override;
   std::optional<Stiffening> stiffening(const double* given) const override;
 
@@ -86,9 +107,12 @@ class TotalLagrangian final : public ParticleBody {
   std::size_t first(std::size_t block) const { return layout_.offset + block * lanes; }
   std::size_t stride() const { return layout_.component_stride; }
   using Tensors = typename Stencils::Tensors;
-  std::size_t q_slot(std::size_t particle, int r, int c) const { return Tensors::at(layout_.offset + particle, r * dim + c, stride()); }
+  std::size_t q_slot(std::size_t particle, int r, int c) const {
+    return Tensors::at(layout_.offset + particle, r * dim + c, stride());
+  }
   template <bool with_scale>
-  FEMSPH_INLINE void gradient(std::size_t block, const double* u, Tensor<Pack, dim>& H, Pack (&L)[dim]) const {
+  FEMSPH_INLINE void gradient(std::size_t block, const double* u, Tensor<Pack, dim>& H,
+                              Pack (&L)[dim]) const {
     operator_.template gradient<with_scale>(block, u + first(block), stride(), H, L);
   }
 
@@ -158,13 +182,15 @@ class TotalLagrangian final : public ParticleBody {
   template <class Motion, bool with_scale>
   void changes_of_volume(const double* u) const {
     parallel_for(blocks() * lanes, lanes, [&](std::size_t begin, std::size_t end) {
-      for (std::size_t block = begin / lanes; block < end / lanes; ++block) change_of_volume<Motion, with_scale>(block, u);
+      for (std::size_t block = begin / lanes; block < end / lanes; ++block)
+        change_of_volume<Motion, with_scale>(block, u);
     });
     dilatation_->mirror_volume(particles_);
   }
   /// The strain that the law is given, of the volumes known.
   template <class Motion>
-  FEMSPH_INLINE void enlarge([[maybe_unused]] std::size_t block, [[maybe_unused]] Symmetric<Pack, dim>& strain) const {
+  FEMSPH_INLINE void enlarge([[maybe_unused]] std::size_t block,
+                             [[maybe_unused]] Symmetric<Pack, dim>& strain) const {
     if constexpr (mean) VolumeChange<Motion, dim>::add(dilatation_->volume_excess(block), strain);
   }
   void mean_stresses_around(const double* u, std::span<const std::size_t> points) const;
@@ -175,7 +201,8 @@ class TotalLagrangian final : public ParticleBody {
     parallel_for(blocks() * lanes, lanes, [&](std::size_t begin, std::size_t end) {
       for (std::size_t block = begin / lanes; block < end / lanes; ++block) {
         const Pack p = operator_.fraction(block) * dilatation_->pressure_excess(block);
-        const Tensor<Pack, dim> CB = operator_.times_correction(block, VolumeChange<Motion, dim>::direction(kept_gradient(block)));
+        const Tensor<Pack, dim> CB = operator_.times_correction(
+            block, VolumeChange<Motion, dim>::direction(kept_gradient(block)));
         double* q = &q_[q_slot(block * lanes, 0, 0)];
         Pack Q[dim * dim];
         Tensors::load(q, stride(), Q);
@@ -214,7 +241,8 @@ class TotalLagrangian final : public ParticleBody {
   void add_bars(const double* u, Pieces& pieces, StressOf&& stress_of) const {
     each_bar<Motion>(u, pieces, [&](auto& piece, double strain, const Pull& pull) {
       const BarRow& row = bars_.rows[piece.row];
-      const double p = operator_.fraction_of(piece.particle) * piece.per_cell * stress_of(row.law, strain, piece.state);
+      const double p = operator_.fraction_of(piece.particle) * piece.per_cell *
+                       stress_of(row.law, strain, piece.state);
       for (int c = 0; c < dim; ++c) {
         const double b = operator_.correction(piece.particle, row.axis, c);
         for (int r = 0; r < dim; ++r) q_[q_slot(piece.particle, r, c)] += p * pull.at[r] * b;
@@ -226,7 +254,8 @@ class TotalLagrangian final : public ParticleBody {
     for (std::size_t k = 0; k < particles_.mirrored.size(); ++k) {
       const Mirrored& m = particles_.mirrored[k];
       for (int r = 0; r < dim; ++r)
-        for (int c = 0; c < dim; ++c) q_[q_slot(particles_.size() + k, r, c)] = m.sign[r] * m.sign[c] * q_[q_slot(m.of, r, c)];
+        for (int c = 0; c < dim; ++c)
+          q_[q_slot(particles_.size() + k, r, c)] = m.sign[r] * m.sign[c] * q_[q_slot(m.of, r, c)];
     }
   }
 
@@ -245,12 +274,16 @@ class TotalLagrangian final : public ParticleBody {
   }
 
   const Pack* history([[maybe_unused]] std::size_t block) const {
-    if constexpr (n_state == 0) return nullptr;
-    else return reinterpret_cast<const Pack*>(&state_[(block * n_state + 2 * n_symmetric) * lanes]);
+    if constexpr (n_state == 0)
+      return nullptr;
+    else
+      return reinterpret_cast<const Pack*>(&state_[(block * n_state + 2 * n_symmetric) * lanes]);
   }
 
-  FEMSPH_INLINE Symmetric<Pack, dim> stress_now([[maybe_unused]] std::size_t block, const Symmetric<Pack, dim>& strain) const {
-    if constexpr (n_state == 0) return law_.stress(strain);
+  FEMSPH_INLINE Symmetric<Pack, dim> stress_now([[maybe_unused]] std::size_t block,
+                                                const Symmetric<Pack, dim>& strain) const {
+    if constexpr (n_state == 0)
+      return law_.stress(strain);
     else {
       Symmetric<Pack, dim> s;
       for (int k = 0; k < n_symmetric; ++k) s[k] = load<Pack>(&state_[(block * n_state + k) * lanes]);
@@ -263,13 +296,13 @@ class TotalLagrangian final : public ParticleBody {
   LawType law_;
   GradientOperator<dim, Stencils, corrected> operator_;
   std::unique_ptr<PairViscosity<dim, Stencils>> viscosity_;
-  double kappa_ = 0;                       ///< hourglass stiffness, Pa
-  mutable AlignedVector<double> q_;        ///< Q, as the stencils want it
-  mutable AlignedVector<double> l_;        ///< L of the hourglass control, [block][component][lane]
+  double kappa_ = 0;                 ///< hourglass stiffness, Pa
+  mutable AlignedVector<double> q_;  ///< Q, as the stencils want it
+  mutable AlignedVector<double> l_;  ///< L of the hourglass control, [block][component][lane]
   using Dilatations = MeanDilatation<typename Stencils::OneValue>;
   std::unique_ptr<Dilatations> dilatation_;  ///< only with the mean dilatation
   mutable AlignedVector<double> h_;          ///< H then, [block][component][lane]
-  AlignedVector<double> state_;            ///< of the law, [block][value][lane]
+  AlignedVector<double> state_;              ///< of the law, [block][value][lane]
 };
 
 }  // namespace femsph::sph

@@ -9,7 +9,8 @@ namespace femsph::sph {
 
 /// Hourglass control holds sum_i K_i kappa/2 sum_j scale_ij |H_i x_ij - u_ij|^2, with scale_ij x_ij = w_ij.
 template <int dim, class Stencils, class Kinematics, class LawType, Correction correction>
-Energies TotalLagrangian<dim, Stencils, Kinematics, LawType, correction>::energies(const double* given) const {
+Energies TotalLagrangian<dim, Stencils, Kinematics, LawType, correction>::energies(
+    const double* given) const {
   const double* u = with_mirrored(given);
   double in_bars = 0;
   each_bar<Kinematics>(u, bars_.pieces, [&](const SmearedPiece& piece, double strain, const Pull&) {
@@ -28,7 +29,8 @@ Energies TotalLagrangian<dim, Stencils, Kinematics, LawType, correction>::energi
       const Pack volume = operator_.volume(block);
       stored += volume * law_.stored_energy(strain, stress_now(block, strain), history(block));
       if constexpr (n_state > 0) lost += volume * law_.plastic_work(history(block));
-      if constexpr (hourglass) controlled += 0.5 * kappa_ * operator_.kernel_volume(block) * misfit(block, u, H);
+      if constexpr (hourglass)
+        controlled += 0.5 * kappa_ * operator_.kernel_volume(block) * misfit(block, u, H);
     }
     return std::array{horizontal_sum(stored), horizontal_sum(controlled), horizontal_sum(lost)};
   });
@@ -37,35 +39,42 @@ Energies TotalLagrangian<dim, Stencils, Kinematics, LawType, correction>::energi
 
 /// sum_j scale_ij |H_i x_ij - u_ij|^2 of a block.
 template <int dim, class Stencils, class Kinematics, class LawType, Correction correction>
-Pack TotalLagrangian<dim, Stencils, Kinematics, LawType, correction>::misfit(std::size_t block, const double* u, const Tensor<Pack, dim>& H) const {
+Pack TotalLagrangian<dim, Stencils, Kinematics, LawType, correction>::misfit(
+    std::size_t block, const double* u, const Tensor<Pack, dim>& H) const {
   Pack sum{};
   if constexpr (requires { operator_.stencils().misfit(block, particles_.position, u, stride(), H); })
-    if (operator_.projected()) return operator_.stencils().misfit(block, particles_.position, u + first(block), stride(), H);
-  operator_.stencils().each(block, u + first(block), stride(), [&](const Pack(&difference)[dim], const Pack(&w)[dim], const Pack& scale) {
-    const Pack there = select(scale > 0.0, scale, broadcast<Pack>(1.0));
-    Pack square{};
-    for (int r = 0; r < dim; ++r) {
-      Pack e = H[r][0] * w[0] - scale * difference[r];
-      for (int c = 1; c < dim; ++c) e += H[r][c] * w[c];
-      square += e * e;
-    }
-    sum += square / there;
-  });
+    if (operator_.projected())
+      return operator_.stencils().misfit(block, particles_.position, u + first(block), stride(), H);
+  operator_.stencils().each(block, u + first(block), stride(),
+                            [&](const Pack(&difference)[dim], const Pack(&w)[dim], const Pack& scale) {
+                              const Pack there = select(scale > 0.0, scale, broadcast<Pack>(1.0));
+                              Pack square{};
+                              for (int r = 0; r < dim; ++r) {
+                                Pack e = H[r][0] * w[0] - scale * difference[r];
+                                for (int c = 1; c < dim; ++c) e += H[r][c] * w[c];
+                                square += e * e;
+                              }
+                              sum += square / there;
+                            });
   return sum;
 }
 
 template <int dim, class Stencils, class Kinematics, class LawType, Correction correction>
-std::vector<BarPiece> TotalLagrangian<dim, Stencils, Kinematics, LawType, correction>::bars(const double* u) const {
+std::vector<BarPiece> TotalLagrangian<dim, Stencils, Kinematics, LawType, correction>::bars(
+    const double* u) const {
   std::vector<BarPiece> out;
-  each_bar<Kinematics>(with_mirrored(u), bars_.pieces, [&](const SmearedPiece& piece, double strain, const Pull&) {
-    const BarRow& row = bars_.rows[piece.row];
-    out.push_back({row.bar, particles_.position[piece.particle], row.area, piece.length, strain, row.law.stress(strain, piece.state), piece.state.plastic_strain});
-  });
+  each_bar<Kinematics>(
+      with_mirrored(u), bars_.pieces, [&](const SmearedPiece& piece, double strain, const Pull&) {
+        const BarRow& row = bars_.rows[piece.row];
+        out.push_back({row.bar, particles_.position[piece.particle], row.area, piece.length, strain,
+                       row.law.stress(strain, piece.state), piece.state.plastic_strain});
+      });
   return out;
 }
 
 template <int dim, class Stencils, class Kinematics, class LawType, Correction correction>
-void TotalLagrangian<dim, Stencils, Kinematics, LawType, correction>::material_state(const double* given, std::span<const std::size_t> points, MaterialState& out) const {
+void TotalLagrangian<dim, Stencils, Kinematics, LawType, correction>::material_state(
+    const double* given, std::span<const std::size_t> points, MaterialState& out) const {
   const double* u = with_mirrored(given);
   out.stress.resize(points.size());
   out.strain.resize(points.size());
@@ -113,7 +122,8 @@ void TotalLagrangian<dim, Stencils, Kinematics, LawType, correction>::material_s
 
 /// theta and p as far as D needs them at the points: p of the neighbours, and for it theta of theirs.
 template <int dim, class Stencils, class Kinematics, class LawType, Correction correction>
-void TotalLagrangian<dim, Stencils, Kinematics, LawType, correction>::mean_stresses_around(const double* u, std::span<const std::size_t> points) const {
+void TotalLagrangian<dim, Stencils, Kinematics, LawType, correction>::mean_stresses_around(
+    const double* u, std::span<const std::size_t> points) const {
   std::vector<char> asked(blocks(), 0), near(blocks(), 0), needed(blocks(), 0);
   for (const std::size_t point : points) asked[point / lanes] = 1;
   for (std::size_t block = 0; block < blocks(); ++block)
@@ -121,10 +131,13 @@ void TotalLagrangian<dim, Stencils, Kinematics, LawType, correction>::mean_stres
   for (std::size_t block = 0; block < blocks(); ++block)
     if (near[block]) dilatation_->mark(block, particles_, needed);
   const auto each = [&](const std::vector<char>& marked, auto&& run) {
-    parallel_for(blocks(), 1, [&](std::size_t begin, std::size_t end) {
-      for (std::size_t block = begin; block < end; ++block)
-        if (marked[block]) run(block);
-    }, lanes);
+    parallel_for(
+        blocks(), 1,
+        [&](std::size_t begin, std::size_t end) {
+          for (std::size_t block = begin; block < end; ++block)
+            if (marked[block]) run(block);
+        },
+        lanes);
   };
   each(needed, [&](std::size_t block) { change_of_volume<Kinematics, false>(block, u); });
   dilatation_->mirror_volume(particles_);
@@ -132,14 +145,17 @@ void TotalLagrangian<dim, Stencils, Kinematics, LawType, correction>::mean_stres
     Symmetric<Pack, dim> strain;
     Kinematics::template strain<Pack, dim>(kept_gradient(block), strain);
     enlarge<Kinematics>(block, strain);
-    store(dilatation_->pressure(block), VolumeChange<Kinematics, dim>::work(strain, stress_now(block, strain)));
+    store(
+        dilatation_->pressure(block), VolumeChange<Kinematics, dim>::work(strain, stress_now(block, strain)));
   });
   dilatation_->mirror_pressure(particles_);
 }
 
-/// Of a field with second derivatives the corrected gradient of particle i is, to first order, that at x_i + s_i: the least-squares place
+/// Of a field with second derivatives the corrected gradient of particle i is, to first order, that at x_i +
+/// s_i: the least-squares place
 ///   s_i = 1/(dim + 1) sum_j (G_ij . x_ij) x_ij,  G_ij = B_i w_ij;
-/// zero where the neighbours lie evenly, and into the body at its surface. An uncorrected gradient has an error of order 0 there and no such place.
+/// zero where the neighbours lie evenly, and into the body at its surface. An uncorrected gradient has an
+/// error of order 0 there and no such place.
 template <int dim, class Stencils, class Kinematics, class LawType, Correction correction>
 MaterialUnits TotalLagrangian<dim, Stencils, Kinematics, LawType, correction>::material_units() const {
   MaterialUnits units = ParticleBody::material_units();
@@ -151,16 +167,19 @@ MaterialUnits TotalLagrangian<dim, Stencils, Kinematics, LawType, correction>::m
     parallel_for(blocks() * lanes, lanes, [&](std::size_t begin, std::size_t end) {
       for (std::size_t block = begin / lanes; block < end / lanes; ++block) {
         Tensor<Pack, dim> sum[dim]{};  // w_a x_b x_c
-        operator_.stencils().each(block, x.data() + first(block), stride(), [&](const Pack(&apart)[dim], const Pack(&w)[dim], const Pack&) {
-          for (int a = 0; a < dim; ++a)
-            for (int b = 0; b < dim; ++b)
-              for (int c = 0; c < dim; ++c) sum[a][b][c] += w[a] * apart[b] * apart[c];
-        });
+        operator_.stencils().each(block, x.data() + first(block), stride(),
+                                  [&](const Pack(&apart)[dim], const Pack(&w)[dim], const Pack&) {
+                                    for (int a = 0; a < dim; ++a)
+                                      for (int b = 0; b < dim; ++b)
+                                        for (int c = 0; c < dim; ++c)
+                                          sum[a][b][c] += w[a] * apart[b] * apart[c];
+                                  });
         for (std::size_t i = block * lanes; i < std::min((block + 1) * lanes, particles_.size()); ++i)
           for (int c = 0; c < dim; ++c)
             for (int a = 0; a < dim; ++a)
               for (int b = 0; b < dim; ++b)
-                units.place[i][std::size_t(c)] += operator_.correction(i, a, b) * sum[a][b][c][i % lanes] / (dim + 1);
+                units.place[i][std::size_t(c)] += operator_.correction(i, a, b) * sum[a][b][c][i % lanes] /
+                                                  (dim + 1);
       }
     });
   }
@@ -169,7 +188,8 @@ MaterialUnits TotalLagrangian<dim, Stencils, Kinematics, LawType, correction>::m
 
 /// det F <= 0 at a particle.
 template <int dim, class Stencils, class Kinematics, class LawType, Correction correction>
-std::optional<Trouble> TotalLagrangian<dim, Stencils, Kinematics, LawType, correction>::trouble(const double* given) const {
+std::optional<Trouble> TotalLagrangian<dim, Stencils, Kinematics, LawType, correction>::trouble(
+    const double* given) const {
   const double* u = with_mirrored(given);
   AlignedVector<double> det(blocks() * lanes);
   parallel_for(blocks() * lanes, lanes, [&](std::size_t begin, std::size_t end) {
@@ -180,7 +200,8 @@ std::optional<Trouble> TotalLagrangian<dim, Stencils, Kinematics, LawType, corre
       for (int a = 0; a < dim; ++a) F[a][a] += 1.0;
       Pack d = F[0][0] * F[1][1] - F[0][1] * F[1][0];
       if constexpr (dim == 3)
-        d = d * F[2][2] + (F[0][2] * F[1][0] - F[0][0] * F[1][2]) * F[2][1] + (F[0][1] * F[1][2] - F[0][2] * F[1][1]) * F[2][0];
+        d = d * F[2][2] + (F[0][2] * F[1][0] - F[0][0] * F[1][2]) * F[2][1] +
+            (F[0][1] * F[1][2] - F[0][2] * F[1][1]) * F[2][0];
       store(&det[block * lanes], d);
     }
   });
@@ -188,8 +209,10 @@ std::optional<Trouble> TotalLagrangian<dim, Stencils, Kinematics, LawType, corre
 }
 
 template <int dim, class Stencils, class Kinematics, class LawType, Correction correction>
-std::optional<Stiffening> TotalLagrangian<dim, Stencils, Kinematics, LawType, correction>::stiffening([[maybe_unused]] const double* given) const {
-  if constexpr (!Stiffens<LawType>) return std::nullopt;
+std::optional<Stiffening> TotalLagrangian<dim, Stencils, Kinematics, LawType, correction>::stiffening(
+    [[maybe_unused]] const double* given) const {
+  if constexpr (!Stiffens<LawType>)
+    return std::nullopt;
   else {
     const double* u = with_mirrored(given);
     AlignedVector<double> ratio(blocks() * lanes);
@@ -206,7 +229,8 @@ std::optional<Stiffening> TotalLagrangian<dim, Stencils, Kinematics, LawType, co
     std::size_t most = 0;
     for (std::size_t i = 1; i < particles_.size(); ++i)
       if (!(ratio[i] <= ratio[most])) most = i;
-    return Stiffening{ratio[most] == ratio[most] ? ratio[most] : std::numeric_limits<double>::infinity(), "particle " + std::to_string(most), place_now(most, u)};
+    return Stiffening{ratio[most] == ratio[most] ? ratio[most] : std::numeric_limits<double>::infinity(),
+                      "particle " + std::to_string(most), place_now(most, u)};
   }
 }
 

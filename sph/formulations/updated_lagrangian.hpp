@@ -1,9 +1,10 @@
 #pragma once
-// Classic SPH for large motion: neighbours and kernel gradients follow the particles. Velocity gradients are taken at the middle of the
-// step, x(n) - dt/2 v(n-1/2). One step is two passes over the particles, each after the fields that neighbours read have been laid down
-// as records:
-//   1  L_i = dt sum_j V_j (v_j - v_i) (x) grad_i W_ij;  the material point (rate_point.hpp, stretch_point.hpp) makes stress and V_i of it
-//   2  f_i = V_i sum_j V_j (sigma_i + sigma_j) grad_i W_ij,  equal and opposite within each pair
+// Classic SPH for large motion: neighbours and kernel gradients follow the particles. Velocity gradients are
+// taken at the middle of the step, x(n) - dt/2 v(n-1/2). One step is two passes over the particles, each
+// after the fields that neighbours read have been laid down as records:
+//   1  L_i = dt sum_j V_j (v_j - v_i) (x) grad_i W_ij;  the material point (rate_point.hpp,
+//   stretch_point.hpp) makes stress and V_i of it 2  f_i = V_i sum_j V_j (sigma_i + sigma_j) grad_i W_ij,
+//   equal and opposite within each pair
 
 #include <fmt/format.h>
 
@@ -11,16 +12,18 @@
 
 #include "model/material/kinematics.hpp"
 #include "sph/formulations/discretize.hpp"
-#include "sph/operators/moving_neighbours.hpp"
-#include "sph/operators/particle_records.hpp"
 #include "sph/formulations/rate_point.hpp"
 #include "sph/formulations/stretch_point.hpp"
+#include "sph/operators/moving_neighbours.hpp"
+#include "sph/operators/particle_records.hpp"
+#include "sph/sph.hpp"
 
 namespace femsph::sph {
 
 /// What a particle of this law carries.
 template <int dim, class LawType>
-using UpdatedPoint = std::conditional_t<LargeMotionOnly<LawType>, StretchPoint<dim, LawType>, RatePoint<dim, LawType>>;
+using UpdatedPoint =
+    std::conditional_t<LargeMotionOnly<LawType>, StretchPoint<dim, LawType>, RatePoint<dim, LawType>>;
 
 template <int dim, class LawType>
 class UpdatedLagrangian final : public ParticleBody {
@@ -28,8 +31,12 @@ class UpdatedLagrangian final : public ParticleBody {
   using State = UpdatedPoint<dim, LawType>;
 
  public:
-  UpdatedLagrangian(const Scene& scene, std::size_t body, const Options& options, Particles particles, const Kernel& kernel, const LawType& law)
-      : ParticleBody(scene, body, options, std::move(particles), kernel), law_(law), kernel_(kernel), blocks_(round_up(particles_.size(), lanes) / lanes),
+  UpdatedLagrangian(const Scene& scene, std::size_t body, const Options& options, Particles particles,
+                    const Kernel& kernel, const LawType& law)
+      : ParticleBody(scene, body, options, std::move(particles), kernel),
+        law_(law),
+        kernel_(kernel),
+        blocks_(round_up(particles_.size(), lanes) / lanes),
         neighbours_(particles_.position, layout_, kernel.radius(), 0.3 * particles_.spacing) {
     Scene small = scene;  // the undeformed body moves little: its stiffness is that of the fixed neighbours
     small.large_motion = false;
@@ -73,15 +80,22 @@ class UpdatedLagrangian final : public ParticleBody {
     neighbours_.update(u);
     if constexpr (requires { law_.set_step(dt); }) law_.set_step(dt);
     const bool wendland = kernel_.kind() == KernelKind::wendland_c2;
-    const auto step = [&](const double* rate, double time) { wendland ? advance<WendlandC2>(u, rate, time) : advance<CubicSpline>(u, rate, time); };
-    if (dt > 0) step(v, dt);
-    else if (std::any_of(u, u + layout_.size, [](double x) { return x != 0; })) step(u, 1.0);  // an initial displacement, as one step
+    const auto step = [&](const double* rate, double time) {
+      wendland ? advance<WendlandC2>(u, rate, time) : advance<CubicSpline>(u, rate, time);
+    };
+    if (dt > 0)
+      step(v, dt);
+    else if (std::any_of(u, u + layout_.size, [](double x) { return x != 0; }))
+      step(u, 1.0);  // an initial displacement, as one step
     lay_down_forces(u, v);
-    if (viscous) wendland ? pair_forces<WendlandC2, true>(f, viscous) : pair_forces<CubicSpline, true>(f, viscous);
-    else wendland ? pair_forces<WendlandC2, false>(f, viscous) : pair_forces<CubicSpline, false>(f, viscous);
+    if (viscous)
+      wendland ? pair_forces<WendlandC2, true>(f, viscous) : pair_forces<CubicSpline, true>(f, viscous);
+    else
+      wendland ? pair_forces<WendlandC2, false>(f, viscous) : pair_forces<CubicSpline, false>(f, viscous);
   }
 
-  /// The lists are part of what a run goes on from: searched again at another place, the sums would be taken in another order.
+  /// The lists are part of what a run goes on from: searched again at another place, the sums would be taken
+  /// in another order.
   void state(Archive& archive) override {
     archive("material", state_);
     archive("volume", volume_);
@@ -106,16 +120,23 @@ class UpdatedLagrangian final : public ParticleBody {
   }
 
  private:
-  // What a particle lays down for its neighbours: before the first pass x, v, V, and before the second x, V, sigma, v.
+  // What a particle lays down for its neighbours: before the first pass x, v, V, and before the second x, V,
+  // sigma, v.
   enum Motion { middle = 0, velocity = dim, extent = 2 * dim };
   enum Force { place = 0, measure = dim, pull = dim + 1, speed = dim + 1 + n };
   using MotionRecords = ParticleRecords<1>;
   using ForceRecords = ParticleRecords<(dim + 1 + n + dim + lanes - 1) / lanes>;
 
-  FEMSPH_INLINE Pack* state(std::size_t block) { return reinterpret_cast<Pack*>(&state_[block * State::size * lanes]); }
-  FEMSPH_INLINE const Pack* state(std::size_t block) const { return reinterpret_cast<const Pack*>(&state_[block * State::size * lanes]); }
+  FEMSPH_INLINE Pack* state(std::size_t block) {
+    return reinterpret_cast<Pack*>(&state_[block * State::size * lanes]);
+  }
+  FEMSPH_INLINE const Pack* state(std::size_t block) const {
+    return reinterpret_cast<const Pack*>(&state_[block * State::size * lanes]);
+  }
   FEMSPH_INLINE Pack volume(std::size_t block) const { return load<Pack>(&volume_[block * lanes]); }
-  FEMSPH_INLINE std::size_t slot(std::size_t block, int c) const { return layout_.offset + block * lanes + std::size_t(c) * layout_.component_stride; }
+  FEMSPH_INLINE std::size_t slot(std::size_t block, int c) const {
+    return layout_.offset + block * lanes + std::size_t(c) * layout_.component_stride;
+  }
   template <class Body>
   void for_blocks(Body&& body) const {
     parallel_for(blocks_ * lanes, lanes, [&](std::size_t begin, std::size_t end) {
@@ -129,7 +150,8 @@ class UpdatedLagrangian final : public ParticleBody {
       Pack own[MotionRecords::fields] = {};
       for (int c = 0; c < dim; ++c) {
         own[velocity + c] = load<Pack>(v + slot(block, c));
-        own[middle + c] = load<Pack>(&start_[slot(block, c)]) + load<Pack>(u + slot(block, c)) - 0.5 * dt * own[velocity + c];
+        own[middle + c] = load<Pack>(&start_[slot(block, c)]) + load<Pack>(u + slot(block, c)) -
+                          0.5 * dt * own[velocity + c];
       }
       own[extent] = volume(block);
       motion_.store_block(block, own);
@@ -175,8 +197,10 @@ class UpdatedLagrangian final : public ParticleBody {
   template <class Spline, bool with_viscosity>
   void pair_forces(double* f, [[maybe_unused]] double* viscous) const {
     const double h = kernel_.h(), per_h2 = 1 / (h * h), factor = kernel_.steepness_factor() * thickness_;
-    [[maybe_unused]] const double alpha = options_.viscosity.alpha * wave_speed_ * density_, beta = options_.viscosity.beta * density_;
-    [[maybe_unused]] const double floor = options_.viscosity.gamma * h * h + 1e-300;  // a lane that looks at itself has r = 0
+    [[maybe_unused]] const double alpha = options_.viscosity.alpha * wave_speed_ * density_,
+                                  beta = options_.viscosity.beta * density_;
+    [[maybe_unused]] const double floor = options_.viscosity.gamma * h * h +
+                                          1e-300;  // a lane that looks at itself has r = 0
     neighbours_.each_block([&](std::size_t block, const std::int32_t* index, const std::int32_t* end) {
       Pack own[ForceRecords::fields], other[ForceRecords::fields], force[dim] = {}, drag[dim] = {};
       forces_.load_block(block, own);
@@ -227,12 +251,18 @@ std::optional<Trouble> UpdatedLagrangian<dim, LawType>::trouble(const double* u)
     return x;
   };
   if (neighbours_.crowded())
-    return Trouble{"particles have fallen on one heap, more than six times as dense as they began", "the motion has lost its meaning before: try a smaller --safety", place(neighbours_.fullest())};
+    return Trouble{
+        "particles have fallen on one heap, more than six times as dense as they began",
+        "the motion has lost its meaning before: try a smaller --safety", place(neighbours_.fullest())};
   const auto& loss = neighbours_.loss();
   if (!loss) return std::nullopt;
-  return Trouble{fmt::format("particle {} has lost its neighbours: {} of {} are left{}", loss->particle, loss->neighbours, loss->at_start,
-                             loss->alone > 1 ? fmt::format(", and {} particles more are so", loss->alone - 1) : ""),
-                 "classic SPH tears under tension by itself (tensile instability): the corrected formulation, or a larger --smoothing, keeps the body whole", place(loss->particle)};
+  return Trouble{
+      fmt::format("particle {} has lost its neighbours: {} of {} are left{}", loss->particle,
+                  loss->neighbours, loss->at_start,
+                  loss->alone > 1 ? fmt::format(", and {} particles more are so", loss->alone - 1) : ""),
+      "classic SPH tears under tension by itself (tensile instability): the corrected formulation, or a "
+      "larger --smoothing, keeps the body whole",
+      place(loss->particle)};
 }
 
 }  // namespace femsph::sph

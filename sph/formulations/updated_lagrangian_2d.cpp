@@ -2,6 +2,7 @@
 
 namespace femsph::sph {
 
-template std::unique_ptr<Discretization> updated_lagrangian<2>(const Scene&, std::size_t, const Options&, Particles, const Kernel&);
+template std::unique_ptr<Discretization> updated_lagrangian<2>(const Scene&, std::size_t, const Options&,
+                                                               Particles, const Kernel&);
 
 }  // namespace femsph::sph

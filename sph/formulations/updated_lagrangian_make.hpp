@@ -6,10 +6,12 @@
 namespace femsph::sph {
 
 template <int dim>
-std::unique_ptr<Discretization> updated_lagrangian(const Scene& scene, std::size_t body, const Options& options, Particles particles, const Kernel& kernel) {
+std::unique_ptr<Discretization> updated_lagrangian(
+    const Scene& scene, std::size_t body, const Options& options, Particles particles, const Kernel& kernel) {
   return std::visit(
       [&](const auto& law) -> std::unique_ptr<Discretization> {
-        return std::make_unique<UpdatedLagrangian<dim, std::decay_t<decltype(law)>>>(scene, body, options, std::move(particles), kernel, law);
+        return std::make_unique<UpdatedLagrangian<dim, std::decay_t<decltype(law)>>>(
+            scene, body, options, std::move(particles), kernel, law);
       },
       scene.material_of(scene.bodies[body]).law(scene.plane));
 }

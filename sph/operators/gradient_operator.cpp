@@ -14,13 +14,15 @@ std::unique_ptr<RowSource> rows_of(const Particles& particles, const Kernel& ker
   return particles.regular ? lattice_rows(particles, kernel) : search_rows(particles, kernel);
 }
 
-OperatorRows operator_rows(const Particles& particles, const Kernel& kernel, const Options& options, const std::vector<Point>& area) {
+OperatorRows operator_rows(const Particles& particles, const Kernel& kernel, const Options& options,
+                           const std::vector<Point>& area) {
   OperatorRows out{rows_of(particles, kernel, options), {}, false, 1, {}};
   if (options.boundary == Boundary::virtual_particles) out.adjoint = transposed_rows(particles, *out.rows);
   if (area.empty()) return out;
   // sum x . a = dim V of what the facets enclose, and that the stress must fill.
   double enclosed = 0, volume = 0;
-  for (std::size_t i = 0; i < area.size(); ++i) enclosed += dot(particles.position[i], area[i]) / particles.dim, volume += particles.own_volume(i);
+  for (std::size_t i = 0; i < area.size(); ++i)
+    enclosed += dot(particles.position[i], area[i]) / particles.dim, volume += particles.own_volume(i);
   const double fill = enclosed / volume;
   std::vector<double> filled = particles.volume;
   for (double& v : filled) v *= fill;
@@ -29,20 +31,24 @@ OperatorRows operator_rows(const Particles& particles, const Kernel& kernel, con
   for (std::size_t i = 0; i < area.size(); ++i) {
     whole[i] = (1 / particles.part[i]) * area[i];
     for (const MirrorPlane& m : particles.planes)
-      if (std::abs(particles.position[i][m.axis] - m.at) < 1e-6 * particles.spacing) whole[i][std::size_t(m.axis)] = 0;
+      if (std::abs(particles.position[i][m.axis] - m.at) < 1e-6 * particles.spacing)
+        whole[i][std::size_t(m.axis)] = 0;
   }
   Projection made = project(particles, *out.rows, whole, filled);
   if (made.needless) return out;
   if (!made.rows || made.left > 1e-3)
-    out.note = fmt::format("a uniform stress is in balance with its tractions to {:.1g} % of them only{}; more neighbours may help: a larger smoothing length",
-                           100 * made.left, made.rows ? "" : ", as no weights were found that would make it exact");
+    out.note = fmt::format(
+        "a uniform stress is in balance with its tractions to {:.1g} % of them only{}; more neighbours may "
+        "help: a larger smoothing length",
+        100 * made.left, made.rows ? "" : ", as no weights were found that would make it exact");
   if (!made.rows) return out;
   out.rows = std::move(made.rows), out.adjoint = std::move(made.adjoint);
   out.projected = true, out.fill = fill;
   return out;
 }
 
-Tensor<double, 3> correction_of(const Particles& particles, std::size_t particle, const RowSource& rows, const Row& row, Boundary boundary) {
+Tensor<double, 3> correction_of(const Particles& particles, std::size_t particle, const RowSource& rows,
+                                const Row& row, Boundary boundary) {
   const int dim = particles.dim;
   const Point& x = particles.position[particle];
   double m[3][3] = {};
@@ -51,7 +57,8 @@ Tensor<double, 3> correction_of(const Particles& particles, std::size_t particle
   } else {
     for (const Neighbour& j : row)
       for (int a = 0; a < dim; ++a)
-        for (int c = 0; c < dim; ++c) m[a][c] += j.w[a] * (particles.position[std::size_t(j.index)][c] - x[c]);
+        for (int c = 0; c < dim; ++c)
+          m[a][c] += j.w[a] * (particles.position[std::size_t(j.index)][c] - x[c]);
   }
   if (dim == 2) m[2][2] = 1;
   double cofactor[3][3];
@@ -62,8 +69,11 @@ Tensor<double, 3> correction_of(const Particles& particles, std::size_t particle
     }
   const double det = m[0][0] * cofactor[0][0] + m[0][1] * cofactor[0][1] + m[0][2] * cofactor[0][2];
   if (!(det > 1e-6))
-    throw Refusal(fmt::format("particle {} at ({:g}, {:g}, {:g}) m has too few neighbours for a corrected gradient; take a finer spacing or a larger "
-                                         "smoothing length", particle, x[0], x[1], x[2]));
+    throw Refusal(fmt::format(
+        "particle {} at ({:g}, {:g}, {:g}) m has too few neighbours for a corrected gradient; "
+        "take a finer spacing or a larger "
+        "smoothing length",
+        particle, x[0], x[1], x[2]));
   Tensor<double, 3> B;
   for (int a = 0; a < 3; ++a)
     for (int c = 0; c < 3; ++c) B[a][c] = cofactor[c][a] / det;

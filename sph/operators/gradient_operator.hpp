@@ -1,15 +1,16 @@
 #pragma once
 // The gradient of SPH on initial neighbours and its exact adjoint (rows.hpp), packed:
-//   H_i = sum_j (u_j - u_i) (x) w_ij, times the correction B_i if any;   f_i = K_i [ sum_j Q_j a_ij + Q_i S_i ],  S_i = sum_j w_ij,
+//   H_i = sum_j (u_j - u_i) (x) w_ij, times the correction B_i if any;   f_i = K_i [ sum_j Q_j a_ij + Q_i S_i
+//   ],  S_i = sum_j w_ij,
 // where Q_i = (V_i / K_i) P_i B_i for a stress P_i that fills the volume V_i.
-// Corrected: B_i = (sum_j w_ij (x) x_ij)^-1 makes the gradient of linear fields exact (Randles & Libersky 1996; Bonet & Lok 1999) without
-// touching w. A field is one padded row per component, `stride` apart.
+// Corrected: B_i = (sum_j w_ij (x) x_ij)^-1 makes the gradient of linear fields exact (Randles & Libersky
+// 1996; Bonet & Lok 1999) without touching w. A field is one padded row per component, `stride` apart.
 
 #include <memory>
 
 #include "model/numerics/array.hpp"
-#include "sph/particles/particles.hpp"
 #include "sph/operators/stencils.hpp"
+#include "sph/particles/particles.hpp"
 
 namespace femsph::sph {
 
@@ -21,27 +22,34 @@ struct OperatorRows {
   std::unique_ptr<RowSource> rows;
   std::unique_ptr<RowSource> adjoint;  ///< where they are not symmetric: virtual particles, projection
   bool projected = false;
-  double fill = 1;   ///< of V_i that the stress fills: cells with straight sides stand for somewhat less than a round body
+  double fill = 1;   ///< of V_i that the stress fills: cells with straight sides stand for somewhat less than
+                     ///< a round body
   std::string note;  ///< what the user should know; empty: nothing
 };
-/// `area`: area vectors that a uniform stress must meet (projection.hpp), one a particle of the body, its symmetry planes included; empty: as they come.
-OperatorRows operator_rows(const Particles& particles, const Kernel& kernel, const Options& options, const std::vector<Point>& area);
+/// `area`: area vectors that a uniform stress must meet (projection.hpp), one a particle of the body, its
+/// symmetry planes included; empty: as they come.
+OperatorRows operator_rows(const Particles& particles, const Kernel& kernel, const Options& options,
+                           const std::vector<Point>& area);
 
-/// B of a particle whose row is `row`. With Boundary::weight (fig. 3b of the paper) the row's weights grow so that the kernel sums to one.
-/// Throws std::runtime_error if it has too few neighbours.
-Tensor<double, 3> correction_of(const Particles& particles, std::size_t particle, const RowSource& rows, const Row& row, Boundary boundary);
+/// B of a particle whose row is `row`. With Boundary::weight (fig. 3b of the paper) the row's weights grow so
+/// that the kernel sums to one. Throws std::runtime_error if it has too few neighbours.
+Tensor<double, 3> correction_of(const Particles& particles, std::size_t particle, const RowSource& rows,
+                                const Row& row, Boundary boundary);
 
 template <int dim, class Stencils, bool corrected>
 class GradientOperator {
   static constexpr int n_symmetric = symmetric_size<dim>;
 
  public:
-  GradientOperator(const Particles& particles, const Kernel& kernel, const Options& options, double thickness, const std::vector<Point>& area)
-      : GradientOperator(particles, operator_rows(particles, kernel, options, area), options.boundary, thickness) {}
+  GradientOperator(const Particles& particles, const Kernel& kernel, const Options& options, double thickness,
+                   const std::vector<Point>& area)
+      : GradientOperator(
+            particles, operator_rows(particles, kernel, options, area), options.boundary, thickness) {}
 
   std::size_t blocks() const { return stencils_.blocks(); }
   std::size_t bytes() const {
-    return stencils_.bytes() + (adjoint_ ? adjoint_->bytes() : 0) + (s_.size() + v_.size() + k_.size() + part_.size() + b_.size()) * sizeof(double);
+    return stencils_.bytes() + (adjoint_ ? adjoint_->bytes() : 0) +
+           (s_.size() + v_.size() + k_.size() + part_.size() + b_.size()) * sizeof(double);
   }
   const Stencils& stencils() const { return stencils_; }
   bool projected() const { return projected_; }
@@ -53,13 +61,17 @@ class GradientOperator {
   FEMSPH_INLINE Pack fraction(std::size_t block) const { return load<Pack>(&part_[block * lanes]); }
   double fraction_of(std::size_t particle) const { return part_[particle]; }
   double correction(std::size_t particle, int r, int c) const {
-    if constexpr (corrected) return b_[slot(particle, symmetric_index<dim>(r, c), n_symmetric)];
-    else return r == c ? 1.0 : 0.0;
+    if constexpr (corrected)
+      return b_[slot(particle, symmetric_index<dim>(r, c), n_symmetric)];
+    else
+      return r == c ? 1.0 : 0.0;
   }
 
-  /// H of a block, whose part of the field starts at u; with_scale also L = sum_j scale_ij (u_j - u_i), uncorrected.
+  /// H of a block, whose part of the field starts at u; with_scale also L = sum_j scale_ij (u_j - u_i),
+  /// uncorrected.
   template <bool with_scale>
-  FEMSPH_INLINE void gradient(std::size_t block, const double* u, std::size_t stride, Tensor<Pack, dim>& H, Pack (&L)[dim]) const {
+  FEMSPH_INLINE void gradient(std::size_t block, const double* u, std::size_t stride, Tensor<Pack, dim>& H,
+                              Pack (&L)[dim]) const {
     stencils_.template gradient<with_scale>(block, u, stride, H, L);
     if constexpr (corrected) H = times_correction(block, H);
   }
@@ -80,7 +92,8 @@ class GradientOperator {
   /// Where Q, which the divergence sums, keeps its components.
   using Tensors = typename Stencils::Tensors;
   /// Force per K of a block, whose part of Q starts at q.
-  FEMSPH_INLINE void divergence(std::size_t block, const double* q, std::size_t stride, Pack (&force)[dim]) const {
+  FEMSPH_INLINE void divergence(std::size_t block, const double* q, std::size_t stride,
+                                Pack (&force)[dim]) const {
     (adjoint_ ? *adjoint_ : stencils_).divergence(block, q, stride, force);
     Pack own[dim * dim];
     Tensors::load(q, stride, own);
@@ -114,10 +127,12 @@ class GradientOperator {
     }
     if (made.adjoint) adjoint_ = std::make_unique<Stencils>(*made.adjoint, n);
   }
-  static std::size_t slot(std::size_t i, int component, int components) { return (i / lanes * components + component) * lanes + i % lanes; }
+  static std::size_t slot(std::size_t i, int component, int components) {
+    return (i / lanes * components + component) * lanes + i % lanes;
+  }
 
   Stencils stencils_;
-  std::unique_ptr<Stencils> adjoint_;   ///< its own rows where they differ: virtual particles, projection
+  std::unique_ptr<Stencils> adjoint_;  ///< its own rows where they differ: virtual particles, projection
   bool projected_;
   std::string note_;
   AlignedVector<double> s_, v_, k_, part_, b_;  ///< S, V, K, V / K, B: [block][component][lane]

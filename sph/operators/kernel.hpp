@@ -9,9 +9,12 @@
 
 namespace femsph::sph {
 
-/// Cubic B-spline, eq. 4 of the paper (Monaghan & Lattanzio 1985): 2D factor 15/(7 pi h^2), 3D factor 3/(2 pi h^3). q = r/h.
+/// Cubic B-spline, eq. 4 of the paper (Monaghan & Lattanzio 1985): 2D factor 15/(7 pi h^2), 3D factor 3/(2 pi
+/// h^3). q = r/h.
 struct CubicSpline {
-  static constexpr double factor(int dim) { return dim == 2 ? 15 / (7 * std::numbers::pi) : 3 / (2 * std::numbers::pi); }
+  static constexpr double factor(int dim) {
+    return dim == 2 ? 15 / (7 * std::numbers::pi) : 3 / (2 * std::numbers::pi);
+  }
   static double value(double q) {
     if (q < 1) return 2.0 / 3 - q * q + 0.5 * q * q * q;
     return q < 2 ? (2 - q) * (2 - q) * (2 - q) / 6 : 0.0;
@@ -26,7 +29,9 @@ struct CubicSpline {
 
 /// Wendland C2 (1995): 2D factor 7/(4 pi h^2), 3D factor 21/(16 pi h^3); (1 - q/2)^4 (2 q + 1).
 struct WendlandC2 {
-  static constexpr double factor(int dim) { return dim == 2 ? 7 / (4 * std::numbers::pi) : 21 / (16 * std::numbers::pi); }
+  static constexpr double factor(int dim) {
+    return dim == 2 ? 7 / (4 * std::numbers::pi) : 21 / (16 * std::numbers::pi);
+  }
   static double value(double q) {
     if (q >= 2) return 0;
     const double s = 1 - 0.5 * q;
@@ -42,7 +47,8 @@ struct WendlandC2 {
 /// A kernel of given kind, dimension and smoothing length h (m).
 class Kernel {
  public:
-  Kernel(KernelKind kind, int dim, double h) : kind_(kind), h_(h), scale_(std::pow(h, -dim) * factor(kind, dim)) {}
+  Kernel(KernelKind kind, int dim, double h)
+      : kind_(kind), h_(h), scale_(std::pow(h, -dim) * factor(kind, dim)) {}
   KernelKind kind() const { return kind_; }
   double h() const { return h_; }
   double radius() const { return 2 * h_; }
@@ -54,7 +60,8 @@ class Kernel {
   /// -(dW/dr)/r >= 0, m^-(dim+2): grad_i W_ij = steepness(r) (x_j - x_i).
   double steepness(double r) const {
     const double q = r / h_;
-    return steepness_factor() * (kind_ == KernelKind::cubic_spline ? CubicSpline::steepness(q) : WendlandC2::steepness(q));
+    return steepness_factor() *
+           (kind_ == KernelKind::cubic_spline ? CubicSpline::steepness(q) : WendlandC2::steepness(q));
   }
 
   /// What a kernel's steepness of q = r/h takes to become that of r.

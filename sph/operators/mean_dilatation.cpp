@@ -15,20 +15,25 @@ double reach_of_averages(const Particles& p) {
 
 }  // namespace
 
-AveragingRows::AveragingRows(const Particles& particles) : p_(particles), cells_(particles.position, particles.dim, reach_of_averages(particles)) {
-  // r <- sqrt(r / sum_j N_ij r_j) of the unscaled N (the symmetric scaling of Sinkhorn). A few turns will do, as D keeps constants in any case;
-  // and what is as good as 1 is 1, so that equal places keep equal rows.
+AveragingRows::AveragingRows(const Particles& particles)
+    : p_(particles), cells_(particles.position, particles.dim, reach_of_averages(particles)) {
+  // r <- sqrt(r / sum_j N_ij r_j) of the unscaled N (the symmetric scaling of Sinkhorn). A few turns will do,
+  // as D keeps constants in any case; and what is as good as 1 is 1, so that equal places keep equal rows.
   scale_.assign(p_.position.size(), 1.0);
   struct Bond {
     int to;
     double weight;
   };
-  const auto own = [&](std::size_t i) { return p_.volume[i] / (p_.cell * p_.fraction[i] * std::pow(2.0, p_.dim)); };
+  const auto own = [&](std::size_t i) {
+    return p_.volume[i] / (p_.cell * p_.fraction[i] * std::pow(2.0, p_.dim));
+  };
   Row row;
   double worst = 0;
   for (std::size_t i = 0; i < p_.size() && worst < 1e-4; ++i) {
     collect(i, row);
-    worst = std::max(worst, std::abs(std::accumulate(row.begin(), row.end(), own(i) - 1, [](double sum, const Neighbour& n) { return sum + n.w[0]; })));
+    worst = std::max(
+        worst, std::abs(std::accumulate(row.begin(), row.end(), own(i) - 1,
+                                        [](double sum, const Neighbour& n) { return sum + n.w[0]; })));
   }
   if (worst < 1e-4) return;  // a box
   std::vector<Bond> bonds;   // each particle's, one after the other, itself first
@@ -43,7 +48,8 @@ AveragingRows::AveragingRows(const Particles& particles) : p_(particles), cells_
   for (int turn = 0; turn < 12; ++turn) {
     for (std::size_t i = 0; i < p_.size(); ++i) {
       double sum = 0;
-      for (std::size_t k = begin[i]; k < begin[i + 1]; ++k) sum += bonds[k].weight * scale_[std::size_t(bonds[k].to)];
+      for (std::size_t k = begin[i]; k < begin[i + 1]; ++k)
+        sum += bonds[k].weight * scale_[std::size_t(bonds[k].to)];
       next[i] = std::sqrt(scale_[i] / sum);
     }
     std::copy(next.begin(), next.end(), scale_.begin());
@@ -59,7 +65,8 @@ void AveragingRows::collect(std::size_t i, Row& out) const {
   cells_.around(p_.position[i], [&](int j) {
     if (j == int(i)) return;
     double r2 = 0;
-    for (int a = 0; a < p_.dim; ++a) r2 += std::pow((p_.position[std::size_t(j)][a] - p_.position[i][a]) / p_.lattice.spacing[a], 2);
+    for (int a = 0; a < p_.dim; ++a)
+      r2 += std::pow((p_.position[std::size_t(j)][a] - p_.position[i][a]) / p_.lattice.spacing[a], 2);
     if (r2 >= 4 * (1 - 1e-9)) return;
     // On a lattice in round numbers: equal places have equal rows to the last bit.
     const double steps = p_.regular ? std::round(r2) : r2;

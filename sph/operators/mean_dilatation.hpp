@@ -1,20 +1,23 @@
 #pragma once
-// Mean dilatation over neighbours, for bodies that keep their volume (nearly incompressible, or in plastic flow). A gradient at the particles does not see
-// displacements that alternate from layer to layer, so a stiff volume leaves the pressure free to alternate. The law is given the change of volume
-//   theta-bar_i = theta_i + (D theta)_i,   (D x)_i = sum_j N_ij (x_j - x_i),   N_ij = r_i r_j V_j 2^(-r^2/d^2) / (2^dim d^dim min(f_i, f_j)),  r < 2 d,
-// in place of theta_i (small motion: the trace of the strain; large: ln J). On a lattice r_i = 1 and N is the product of (1/4, 1/2, 1/4) of each axis,
-// reflected at faces: alternating fields become 0, constants stay. Elsewhere r_i makes rows, with N_ii, sum to one. V_i N_ij is symmetric, so D is its
-// own adjoint,
+// Mean dilatation over neighbours, for bodies that keep their volume (nearly incompressible, or in plastic
+// flow). A gradient at the particles does not see displacements that alternate from layer to layer, so a
+// stiff volume leaves the pressure free to alternate. The law is given the change of volume
+//   theta-bar_i = theta_i + (D theta)_i,   (D x)_i = sum_j N_ij (x_j - x_i),   N_ij = r_i r_j V_j
+//   2^(-r^2/d^2) / (2^dim d^dim min(f_i, f_j)),  r < 2 d,
+// in place of theta_i (small motion: the trace of the strain; large: ln J). On a lattice r_i = 1 and N is the
+// product of (1/4, 1/2, 1/4) of each axis, reflected at faces: alternating fields become 0, constants stay.
+// Elsewhere r_i makes rows, with N_ii, sum to one. V_i N_ij is symmetric, so D is its own adjoint,
 //   sum_i V_i p_i (D theta)_i = sum_i V_i (D p)_i theta_i,
-// and the force of the law's mean stress p_i is that of p_i + (D p)_i, which is the stress to show: energy and momenta are kept as without it. The
-// classic form in elements: Nagtegaal, Parks & Rice 1974; over the cells around a node: Bonet & Burton 1998.
+// and the force of the law's mean stress p_i is that of p_i + (D p)_i, which is the stress to show: energy
+// and momenta are kept as without it. The classic form in elements: Nagtegaal, Parks & Rice 1974; over the
+// cells around a node: Bonet & Burton 1998.
 
 #include <cmath>
 
 #include "model/material/kinematics.hpp"
 #include "model/numerics/elementary.hpp"
-#include "sph/particles/cell_list.hpp"
 #include "sph/operators/stencils.hpp"
+#include "sph/particles/cell_list.hpp"
 
 namespace femsph::sph {
 
@@ -37,8 +40,13 @@ template <class Stencils>
 class MeanDilatation {
  public:
   MeanDilatation(const Particles& particles, std::size_t offset, std::size_t stride)
-      : stencils_(AveragingRows(particles), particles.size()), offset_(offset), volume_(stride, 0.0), pressure_(stride, 0.0) {}
-  std::size_t bytes() const { return stencils_.bytes() + (volume_.size() + pressure_.size()) * sizeof(double); }
+      : stencils_(AveragingRows(particles), particles.size()),
+        offset_(offset),
+        volume_(stride, 0.0),
+        pressure_(stride, 0.0) {}
+  std::size_t bytes() const {
+    return stencils_.bytes() + (volume_.size() + pressure_.size()) * sizeof(double);
+  }
 
   double* volume(std::size_t block) { return &volume_[offset_ + block * lanes]; }      ///< theta of a block
   double* pressure(std::size_t block) { return &pressure_[offset_ + block * lanes]; }  ///< p
@@ -49,7 +57,8 @@ class MeanDilatation {
   /// Marks the blocks whose values D needs in a block.
   void mark(std::size_t block, const Particles& p, std::vector<char>& needed) const {
     needed[block] = 1;
-    stencils_.each_index(block, [&](std::size_t j) { needed[(j < p.size() ? j : p.mirrored[j - p.size()].of) / lanes] = 1; });
+    stencils_.each_index(
+        block, [&](std::size_t j) { needed[(j < p.size() ? j : p.mirrored[j - p.size()].of) / lanes] = 1; });
   }
 
  private:
@@ -60,7 +69,8 @@ class MeanDilatation {
     return sum[0][0];
   }
   void mirror(const Particles& p, AlignedVector<double>& field) {
-    for (std::size_t k = 0; k < p.mirrored.size(); ++k) field[offset_ + p.size() + k] = field[offset_ + p.mirrored[k].of];
+    for (std::size_t k = 0; k < p.mirrored.size(); ++k)
+      field[offset_ + p.size() + k] = field[offset_ + p.mirrored[k].of];
   }
   Stencils stencils_;
   std::size_t offset_;
@@ -70,7 +80,8 @@ class MeanDilatation {
 /// How a kind of motion takes another change of volume.
 template <class Motion, int dim>
 struct VolumeChange {
-  static constexpr bool small = std::is_same_v<Motion, SmallStrain>, biot = std::is_same_v<Motion, FiniteRotation>;
+  static constexpr bool small = std::is_same_v<Motion, SmallStrain>,
+                        biot = std::is_same_v<Motion, FiniteRotation>;
 
   /// theta
   FEMSPH_INLINE static Pack of(const Tensor<Pack, dim>& H) {
@@ -95,7 +106,8 @@ struct VolumeChange {
       return r;
     }
   }
-  /// What the law's stress does per theta and volume: a third of its trace, or for the Biot stress T of r U, T : r U / dim.
+  /// What the law's stress does per theta and volume: a third of its trace, or for the Biot stress T of r U,
+  /// T : r U / dim.
   FEMSPH_INLINE static Pack work(const Symmetric<Pack, dim>& enlarged, const Symmetric<Pack, dim>& stress) {
     Pack p = trace(stress);
     if constexpr (biot) p += contract(stress, enlarged);
@@ -125,11 +137,14 @@ struct VolumeChange {
  private:
   /// J - 1 = tr H + (minors of H), without losing small strains.
   FEMSPH_INLINE static Pack growth_of(const Tensor<Pack, dim>& H) {
-    if constexpr (dim == 2) return H[0][0] + H[1][1] + (H[0][0] * H[1][1] - H[0][1] * H[1][0]);
+    if constexpr (dim == 2)
+      return H[0][0] + H[1][1] + (H[0][0] * H[1][1] - H[0][1] * H[1][0]);
     else {
-      const Pack xy = H[0][0] * H[1][1] - H[0][1] * H[1][0], yz = H[1][1] * H[2][2] - H[1][2] * H[2][1], zx = H[2][2] * H[0][0] - H[2][0] * H[0][2];
+      const Pack xy = H[0][0] * H[1][1] - H[0][1] * H[1][0], yz = H[1][1] * H[2][2] - H[1][2] * H[2][1],
+                 zx = H[2][2] * H[0][0] - H[2][0] * H[0][2];
       return H[0][0] + H[1][1] + H[2][2] + (xy + yz + zx) +
-             (H[0][0] * yz + H[0][1] * (H[1][2] * H[2][0] - H[1][0] * H[2][2]) + H[0][2] * (H[1][0] * H[2][1] - H[1][1] * H[2][0]));
+             (H[0][0] * yz + H[0][1] * (H[1][2] * H[2][0] - H[1][0] * H[2][2]) +
+              H[0][2] * (H[1][0] * H[2][1] - H[1][1] * H[2][0]));
     }
   }
 };

@@ -5,17 +5,21 @@
 
 namespace femsph::sph {
 
-MovingNeighbours::MovingNeighbours(std::span<const Point> start, const Layout& layout, double radius, double skin)
+MovingNeighbours::MovingNeighbours(std::span<const Point> start, const Layout& layout, double radius,
+                                   double skin)
     : start_(start), layout_(layout), radius_(radius), skin_(skin) {}
 
 std::size_t MovingNeighbours::bytes() const {
-  std::size_t sum = searched_.size() * sizeof(double) + position_.size() * sizeof(Point) + cells_.bytes() + (near_.size() + near_at_start_.size()) * sizeof(std::uint16_t);
-  for (const Chunk& c : chunks_) sum += c.index.size() * sizeof(std::int32_t) + c.begin.size() * sizeof(std::uint32_t);
+  std::size_t sum = searched_.size() * sizeof(double) + position_.size() * sizeof(Point) + cells_.bytes() +
+                    (near_.size() + near_at_start_.size()) * sizeof(std::uint16_t);
+  for (const Chunk& c : chunks_)
+    sum += c.index.size() * sizeof(std::int32_t) + c.begin.size() * sizeof(std::uint32_t);
   return sum;
 }
 
-/// Two particles have come nearer by at most |m_i - t| + |m_j - t|, m their displacements since the search and t any vector: here the middle
-/// of the box that holds all m. Half the box's diagonal bounds |m - t|; only where that does not decide is each particle asked.
+/// Two particles have come nearer by at most |m_i - t| + |m_j - t|, m their displacements since the search
+/// and t any vector: here the middle of the box that holds all m. Half the box's diagonal bounds |m - t|;
+/// only where that does not decide is each particle asked.
 bool MovingNeighbours::stale(const double* u) const {
   if (searched_.empty()) return true;
   const std::size_t n = start_.size(), chunk = 4096;
@@ -46,7 +50,8 @@ bool MovingNeighbours::stale(const double* u) const {
   });
   double diagonal = 0, middle[3] = {};
   for (int c = 0; c < layout_.dim; ++c) {
-    diagonal += (box[std::size_t(c)] + box[std::size_t(c) + 3]) * (box[std::size_t(c)] + box[std::size_t(c) + 3]);
+    diagonal += (box[std::size_t(c)] + box[std::size_t(c) + 3]) *
+                (box[std::size_t(c)] + box[std::size_t(c) + 3]);
     middle[c] = 0.5 * (box[std::size_t(c)] - box[std::size_t(c) + 3]);
   }
   if (!(diagonal > skin_ * skin_)) return false;
@@ -74,16 +79,20 @@ void MovingNeighbours::search(const double* u) {
   cells_.build(position_, layout_.dim, radius_ + skin_);
   const bool first = searches_++ == 0;
   if (first) fullest_at_start_ = cells_.fullest();
-  // Particles that fall on one heap would ask for lists of all pairs: the lists stay as they are, for a run that has to stop.
+  // Particles that fall on one heap would ask for lists of all pairs: the lists stay as they are, for a run
+  // that has to stop.
   if (cells_.fullest() > 6 * fullest_at_start_ + 32) {
     crowded_ = std::size_t(cells_.one_of_fullest());
     return;
   }
   near_.resize(n);
   chunks_.resize((n + blocks_in_chunk * lanes - 1) / (blocks_in_chunk * lanes));
-  parallel_for(chunks_.size(), 1, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t c = begin; c < end; ++c) fill(c);
-  }, blocks_in_chunk * lanes);
+  parallel_for(
+      chunks_.size(), 1,
+      [&](std::size_t begin, std::size_t end) {
+        for (std::size_t c = begin; c < end; ++c) fill(c);
+      },
+      blocks_in_chunk * lanes);
   if (first) near_at_start_ = near_;
   look_for_losses();
 }
@@ -101,7 +110,8 @@ void MovingNeighbours::state(Archive& archive) {
 }
 
 void MovingNeighbours::fill(std::size_t chunk) {
-  const std::size_t n = start_.size(), first_block = chunk * blocks_in_chunk, blocks = (n + lanes - 1) / lanes;
+  const std::size_t n = start_.size(), first_block = chunk * blocks_in_chunk,
+                    blocks = (n + lanes - 1) / lanes;
   Chunk& out = chunks_[chunk];
   out.index.clear();
   out.begin.assign(1, 0);
@@ -115,20 +125,25 @@ void MovingNeighbours::fill(std::size_t chunk) {
     const std::size_t begin = out.index.size();
     out.index.resize(begin + most * lanes);
     for (std::size_t l = 0; l < lanes; ++l)
-      for (std::size_t k = 0; k < most; ++k) out.index[begin + k * lanes + l] = k < count[l] ? row[l][k] : std::int32_t(b * lanes + l);
+      for (std::size_t k = 0; k < most; ++k)
+        out.index[begin + k * lanes + l] = k < count[l] ? row[l][k] : std::int32_t(b * lanes + l);
     out.begin.push_back(std::uint32_t(out.index.size() / lanes));
   }
 }
 
-std::size_t MovingNeighbours::list(std::size_t particle, std::vector<std::int32_t>& out, std::uint16_t& near) const {
+std::size_t MovingNeighbours::list(std::size_t particle, std::vector<std::int32_t>& out,
+                                   std::uint16_t& near) const {
   const Point& at = position_[particle];
   const double far2 = (radius_ + skin_) * (radius_ + skin_), near2 = radius_ * radius_ * (1 - 1e-9);
-  const double *x = cells_.sorted(0).data(), *y = cells_.sorted(1).data(), *z = layout_.dim == 3 ? cells_.sorted(2).data() : nullptr;
+  const double *x = cells_.sorted(0).data(), *y = cells_.sorted(1).data(),
+               *z = layout_.dim == 3 ? cells_.sorted(2).data() : nullptr;
   std::size_t count = 0, within = 0;
   cells_.runs(at, [&](int first, int last) {
-    if (out.size() < count + std::size_t(last - first)) out.resize(2 * out.size() + std::size_t(last - first));
+    if (out.size() < count + std::size_t(last - first))
+      out.resize(2 * out.size() + std::size_t(last - first));
     for (int m = first; m < last; ++m) {
-      const double dx = x[m] - at[0], dy = y[m] - at[1], dz = z ? z[m] - at[2] : 0.0, r2 = dx * dx + dy * dy + dz * dz;
+      const double dx = x[m] - at[0], dy = y[m] - at[1], dz = z ? z[m] - at[2] : 0.0,
+                   r2 = dx * dx + dy * dy + dz * dz;
       const int j = cells_.items()[std::size_t(m)];
       out[count] = j;  // kept if it counts
       const bool other = j != int(particle);
@@ -140,15 +155,16 @@ std::size_t MovingNeighbours::list(std::size_t particle, std::vector<std::int32_
   return count;
 }
 
-/// A gradient in `dim` dimensions takes dim + 1 neighbours that do not lie on a line: with fewer, and fewer than at the start, a particle
-/// has left its body.
+/// A gradient in `dim` dimensions takes dim + 1 neighbours that do not lie on a line: with fewer, and fewer
+/// than at the start, a particle has left its body.
 void MovingNeighbours::look_for_losses() {
   loss_.reset();
   for (std::size_t i = 0; i < near_.size(); ++i) {
     if (near_[i] > layout_.dim || near_[i] >= near_at_start_[i]) continue;
     if (!loss_) loss_ = Loss{i, near_[i], near_at_start_[i], 0};
     ++loss_->alone;
-    if (near_[i] < loss_->neighbours) loss_->particle = i, loss_->neighbours = near_[i], loss_->at_start = near_at_start_[i];
+    if (near_[i] < loss_->neighbours)
+      loss_->particle = i, loss_->neighbours = near_[i], loss_->at_start = near_at_start_[i];
   }
 }
 

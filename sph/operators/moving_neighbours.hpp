@@ -1,7 +1,8 @@
 #pragma once
-// Neighbours of particles that move (Verlet lists): pairs up to the kernel's radius and a skin, valid while no two particles can have come
-// nearer by the skin. A body that moves as a whole needs no new list: only displacements beside their mean count.
-// Eight particles in a row are a block; the k-th neighbours of a block's particles stand together (SELL-8), so that loops run on packs.
+// Neighbours of particles that move (Verlet lists): pairs up to the kernel's radius and a skin, valid while
+// no two particles can have come nearer by the skin. A body that moves as a whole needs no new list: only
+// displacements beside their mean count. Eight particles in a row are a block; the k-th neighbours of a
+// block's particles stand together (SELL-8), so that loops run on packs.
 
 #include <cstdint>
 #include <span>
@@ -28,15 +29,19 @@ class MovingNeighbours {
   /// The lists follow from where they were searched.
   void state(Archive& archive);
 
-  /// Calls body(block, first, last) for every block; its neighbours are indices(k), k = first .. last - 1. A lane with fewer neighbours than
-  /// others looks at itself.
+  /// Calls body(block, first, last) for every block; its neighbours are indices(k), k = first .. last - 1. A
+  /// lane with fewer neighbours than others looks at itself.
   template <class Body>
   void each_block(Body&& body) const {
-    parallel_for(chunks_.size(), 1, [&](std::size_t begin, std::size_t end) {
-      for (std::size_t c = begin; c < end; ++c)
-        for (std::size_t b = 0; b + 1 < chunks_[c].begin.size(); ++b)
-          body(c * blocks_in_chunk + b, chunks_[c].index.data() + lanes * chunks_[c].begin[b], chunks_[c].index.data() + lanes * chunks_[c].begin[b + 1]);
-    }, blocks_in_chunk * lanes);
+    parallel_for(
+        chunks_.size(), 1,
+        [&](std::size_t begin, std::size_t end) {
+          for (std::size_t c = begin; c < end; ++c)
+            for (std::size_t b = 0; b + 1 < chunks_[c].begin.size(); ++b)
+              body(c * blocks_in_chunk + b, chunks_[c].index.data() + lanes * chunks_[c].begin[b],
+                   chunks_[c].index.data() + lanes * chunks_[c].begin[b + 1]);
+        },
+        blocks_in_chunk * lanes);
   }
 
   std::size_t bytes() const;
@@ -66,7 +71,7 @@ class MovingNeighbours {
   std::span<const Point> start_;
   Layout layout_;
   double radius_, skin_;
-  AlignedVector<double> searched_;      ///< displacement, flat
+  AlignedVector<double> searched_;  ///< displacement, flat
   std::vector<Point> position_;
   CellList cells_;
   std::vector<Chunk> chunks_;

@@ -1,6 +1,6 @@
 #pragma once
-// Fields of particles kept together, eight numbers to a cache line, for loops over neighbours anywhere in memory: eight lines are
-// loaded and transposed, which costs a third of eight times as many single loads.
+// Fields of particles kept together, eight numbers to a cache line, for loops over neighbours anywhere in
+// memory: eight lines are loaded and transposed, which costs a third of eight times as many single loads.
 
 #include <cstdint>
 
@@ -38,17 +38,26 @@ class ParticleRecords {
 
   /// Fields of eight particles in a row, and of any eight.
   FEMSPH_INLINE void load_block(std::size_t block, Pack (&out)[fields]) const {
-    each_line([&](int line, int lane) __attribute__((always_inline)) { return &data_[(block * lanes + std::size_t(lane)) * fields + std::size_t(line) * lanes]; }, out);
+    each_line(
+        [&](int line, int lane) __attribute__((always_inline)) {
+          return &data_[(block * lanes + std::size_t(lane)) * fields + std::size_t(line) * lanes];
+        },
+        out);
   }
   FEMSPH_INLINE void gather(const std::int32_t* index, Pack (&out)[fields]) const {
-    each_line([&](int line, int lane) __attribute__((always_inline)) { return data_.data() + std::ptrdiff_t(index[lane]) * fields + line * lanes; }, out);
+    each_line(
+        [&](int line, int lane) __attribute__((always_inline)) {
+          return data_.data() + std::ptrdiff_t(index[lane]) * fields + line * lanes;
+        },
+        out);
   }
   FEMSPH_INLINE void store_block(std::size_t block, const Pack (&fields_of)[fields]) {
     for (int line = 0; line < lines; ++line) {
       Pack m[lanes];
       for (int k = 0; k < lanes; ++k) m[k] = fields_of[line * lanes + k];
       transpose(m);
-      for (int l = 0; l < lanes; ++l) store(&data_[(block * lanes + std::size_t(l)) * fields + std::size_t(line) * lanes], m[l]);
+      for (int l = 0; l < lanes; ++l)
+        store(&data_[(block * lanes + std::size_t(l)) * fields + std::size_t(line) * lanes], m[l]);
     }
   }
 

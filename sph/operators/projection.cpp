@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "model/numerics/vectors.hpp"
 #include "model/numerics/parallel.hpp"
+#include "model/numerics/vectors.hpp"
 
 namespace femsph::sph {
 
@@ -14,14 +14,16 @@ constexpr double met = 1e-12;  ///< of the largest area vector: where to stop
 constexpr int most_newton = 20, least_iterations = 100;
 constexpr double most_work = 5e7;  ///< iterations x pairs, a second or two
 
-/// The rows' pairs in one array, each with the pair that looks back: from j, or from the particle whose image j is.
+/// The rows' pairs in one array, each with the pair that looks back: from j, or from the particle whose image
+/// j is.
 template <int dim>
 class Pairs {
  public:
   using Vector = std::array<double, dim>;
   using Vectors = std::vector<Vector>;
 
-  Pairs(const Particles& particles, const RowSource& rows, const std::vector<double>& volume) : p_(particles), n_(particles.size()), volume_(volume) {
+  Pairs(const Particles& particles, const RowSource& rows, const std::vector<double>& volume)
+      : p_(particles), n_(particles.size()), volume_(volume) {
     Row row;
     begin_.push_back(0);
     for (std::size_t i = 0; i < n_; ++i) {
@@ -73,7 +75,8 @@ class Pairs {
   void add(const Vectors& lambda, double factor, std::vector<double>& scale) {
     const Vectors& all = with_images(lambda);
     Vectors difference;
-    for (std::size_t i = 0; i < n_; ++i) changes(i, all, difference, [&](std::size_t k, double change) { scale[k] += factor * change; });
+    for (std::size_t i = 0; i < n_; ++i)
+      changes(i, all, difference, [&](std::size_t k, double change) { scale[k] += factor * change; });
   }
   /// The diagonal of J W J^T, without the part of J that B's own change brings.
   void diagonal(Vectors& out) const {
@@ -82,7 +85,8 @@ class Pairs {
       for (std::size_t k = begin_[i]; k < begin_[i + 1]; ++k) {
         const Vector here = b_[k], there = b_[back_[k]];
         for (int a = 0; a < dim; ++a)
-          out[i][a] += start_[k] * std::pow(volume_[i] * here[a], 2) + start_[back_[k]] * std::pow(volume_[own(index_[k])] * there[a], 2);
+          out[i][a] += start_[k] * std::pow(volume_[i] * here[a], 2) +
+                       start_[back_[k]] * std::pow(volume_[own(index_[k])] * there[a], 2);
       }
   }
   /// Sum over the whole body with its images, by the particles' parts.
@@ -109,13 +113,19 @@ class Pairs {
   }
 
  private:
-  std::size_t own(int j) const { return std::size_t(j) < n_ ? std::size_t(j) : p_.mirrored[std::size_t(j) - n_].of; }
-  double sign(int j, int a) const { return std::size_t(j) < n_ ? 1.0 : p_.mirrored[std::size_t(j) - n_].sign[std::size_t(a)]; }
+  std::size_t own(int j) const {
+    return std::size_t(j) < n_ ? std::size_t(j) : p_.mirrored[std::size_t(j) - n_].of;
+  }
+  double sign(int j, int a) const {
+    return std::size_t(j) < n_ ? 1.0 : p_.mirrored[std::size_t(j) - n_].sign[std::size_t(a)];
+  }
   static Vector times(double factor, Vector v) {
     for (double& x : v) x *= factor;
     return v;
   }
-  double kernel_share(std::size_t i, std::size_t k) const { return p_.kernel_volume[std::size_t(index_[k])] / p_.kernel_volume[i]; }
+  double kernel_share(std::size_t i, std::size_t k) const {
+    return p_.kernel_volume[std::size_t(index_[k])] / p_.kernel_volume[i];
+  }
   const Vectors& with_images(const Vectors& own) {
     if (p_.mirrored.empty()) return own;
     all_ = own;
@@ -164,7 +174,8 @@ class Pairs {
   }
 
   /// Of row i: d scale = W J^T lambda, told to `take`, and the change of G that it makes:
-  ///   d scale_ij = W V_i (lambda_ij - H x_ij) . b_ij,  H = sum_j lambda_ij (x) G_ij;   dG_ij = d scale_ij b_ij - (sum_m d scale_im b_im (x) x_im) G_ij.
+  ///   d scale_ij = W V_i (lambda_ij - H x_ij) . b_ij,  H = sum_j lambda_ij (x) G_ij;   dG_ij = d scale_ij
+  ///   b_ij - (sum_m d scale_im b_im (x) x_im) G_ij.
   template <class Take>
   void changes(std::size_t i, const Vectors& lambda, Vectors& difference, Take&& take) {
     double H[dim][dim] = {}, T[dim][dim] = {};
@@ -208,7 +219,8 @@ class Pairs {
           const Vector &back = change_[back_[k]], &forth = change_[k];
           const bool image = std::size_t(index_[k]) >= n_;
           const double there = volume_[std::size_t(index_[k])];
-          for (int a = 0; a < dim; ++a) sum[a] += there * (image ? sign(index_[k], a) : 1.0) * back[a] - volume_[i] * forth[a];
+          for (int a = 0; a < dim; ++a)
+            sum[a] += there * (image ? sign(index_[k], a) : 1.0) * back[a] - volume_[i] * forth[a];
         }
         out[i] = sum;
       }
@@ -246,10 +258,12 @@ double largest_of(const Vectors& v) {
   return most;
 }
 
-/// Conjugate gradients on J W J^T lambda = r, scaled by the diagonal, until no component of what is left exceeds `enough`. The matrix is singular (A does not
-/// see affine lambda), r is in its range. Returns lambda.
+/// Conjugate gradients on J W J^T lambda = r, scaled by the diagonal, until no component of what is left
+/// exceeds `enough`. The matrix is singular (A does not see affine lambda), r is in its range. Returns
+/// lambda.
 template <int dim>
-typename Pairs<dim>::Vectors solve(Pairs<dim>& pairs, typename Pairs<dim>::Vectors r, double enough, int most, int& iterations) {
+typename Pairs<dim>::Vectors solve(Pairs<dim>& pairs, typename Pairs<dim>::Vectors r, double enough, int most,
+                                   int& iterations) {
   using Vectors = typename Pairs<dim>::Vectors;
   const std::size_t n = pairs.size();
   Vectors diagonal, lambda(n), z(n), p, q;
@@ -261,7 +275,8 @@ typename Pairs<dim>::Vectors solve(Pairs<dim>& pairs, typename Pairs<dim>::Vecto
   precondition();
   p = z;
   double rz = pairs.product(r, z);
-  const int last = std::min(most, iterations + std::max(500, 2 * iterations));  // round-off may not let it come as near as asked
+  const int last = std::min(
+      most, iterations + std::max(500, 2 * iterations));  // round-off may not let it come as near as asked
   while (largest_of(r) > enough && iterations < last) {
     ++iterations;
     pairs.apply(p, q);
@@ -285,9 +300,11 @@ int most_iterations(const Pairs<dim>& pairs) {
   return int(std::max(double(least_iterations), most_work / double(pairs.pairs())));
 }
 
-/// Newton's method: A depends on the scales through B too. It is quadratic, so that each solution need be no better than the next residual.
+/// Newton's method: A depends on the scales through B too. It is quadratic, so that each solution need be no
+/// better than the next residual.
 template <int dim>
-Projection project_in(const Particles& particles, const RowSource& source, const std::vector<Point>& area, const std::vector<double>& volume) {
+Projection project_in(const Particles& particles, const RowSource& source, const std::vector<Point>& area,
+                      const std::vector<double>& volume) {
   using Vectors = typename Pairs<dim>::Vectors;
   Projection out;
   Pairs<dim> pairs(particles, source, volume);
@@ -306,7 +323,8 @@ Projection project_in(const Particles& particles, const RowSource& source, const
   const double first = out.left;
   if ((out.needless = first < worth_projecting)) return out;
   const int most = most_iterations(pairs);
-  for (int newton = 0; newton < most_newton && out.left > met && std::isfinite(out.left) && out.iterations < most; ++newton) {
+  for (int newton = 0;
+       newton < most_newton && out.left > met && std::isfinite(out.left) && out.iterations < most; ++newton) {
     const double enough = std::max(std::clamp(0.3 * out.left, 1e-5, 0.05) * out.left, 0.3 * met);
     const Vectors lambda = solve<dim>(pairs, r, enough * unit, most, out.iterations);
     const std::vector<double> before = pairs.scale();
@@ -334,8 +352,10 @@ Projection project_in(const Particles& particles, const RowSource& source, const
 
 }  // namespace
 
-Projection project(const Particles& particles, const RowSource& rows, const std::vector<Point>& area, const std::vector<double>& volume) {
-  return particles.dim == 2 ? project_in<2>(particles, rows, area, volume) : project_in<3>(particles, rows, area, volume);
+Projection project(const Particles& particles, const RowSource& rows, const std::vector<Point>& area,
+                   const std::vector<double>& volume) {
+  return particles.dim == 2 ? project_in<2>(particles, rows, area, volume)
+                            : project_in<3>(particles, rows, area, volume);
 }
 
 }  // namespace femsph::sph

@@ -35,7 +35,8 @@ std::vector<Offset> offsets_of(const Particles& p, const Kernel& kernel) {
 
 class LatticeRows : public RowSource {
  public:
-  LatticeRows(const Particles& particles, const Kernel& kernel) : p_(particles), self_(kernel.value(0)), offsets_(offsets_of(particles, kernel)) {}
+  LatticeRows(const Particles& particles, const Kernel& kernel)
+      : p_(particles), self_(kernel.value(0)), offsets_(offsets_of(particles, kernel)) {}
   void row(std::size_t i, Row& out) const override {
     out.clear();
     const auto& at = p_.lattice.place[i];
@@ -70,7 +71,9 @@ class VirtualRows final : public LatticeRows {
     const auto& at = p_.lattice.place[i];
     for (const Offset& o : offsets_) {
       const std::array<int, 3> ghost{at[0] + o.by[0], at[1] + o.by[1], at[2] + o.by[2]};
-      const Neighbour full{0, {p_.cell * o.gradient[0], p_.cell * o.gradient[1], p_.cell * o.gradient[2]}, p_.cell * o.steepness};
+      const Neighbour full{0,
+                           {p_.cell * o.gradient[0], p_.cell * o.gradient[1], p_.cell * o.gradient[2]},
+                           p_.cell * o.steepness};
       spread(ghost, full, out);
     }
     std::erase_if(out, [&](const Neighbour& n) { return n.index == int(i); });
@@ -110,18 +113,22 @@ class VirtualRows final : public LatticeRows {
 
 class SearchRows final : public RowSource {
  public:
-  SearchRows(const Particles& particles, const Kernel& kernel) : p_(particles), kernel_(kernel), cells_(particles.position, particles.dim, kernel.radius()) {}
+  SearchRows(const Particles& particles, const Kernel& kernel)
+      : p_(particles), kernel_(kernel), cells_(particles.position, particles.dim, kernel.radius()) {}
   void row(std::size_t i, Row& out) const override {
     out.clear();
     around(i, [&](int j, const Point& x, double r) {
       const double s = p_.kernel_volume[std::size_t(j)] * kernel_.steepness(r);
       out.push_back({j, {s * x[0], s * x[1], s * x[2]}, s});
     });
-    std::sort(out.begin(), out.end(), [](const Neighbour& a, const Neighbour& b) { return a.index < b.index; });
+    std::sort(
+        out.begin(), out.end(), [](const Neighbour& a, const Neighbour& b) { return a.index < b.index; });
   }
   double kernel_sum(std::size_t i) const override {
     double sum = p_.kernel_volume[i] * kernel_.value(0);
-    around(i, [&](int j, const Point&, double r) { sum += p_.kernel_volume[std::size_t(j)] * kernel_.value(r); });
+    around(i, [&](int j, const Point&, double r) {
+      sum += p_.kernel_volume[std::size_t(j)] * kernel_.value(r);
+    });
     return sum;
   }
 
@@ -154,11 +161,19 @@ class StoredRows final : public RowSource {
 
 }  // namespace
 
-std::unique_ptr<RowSource> lattice_rows(const Particles& particles, const Kernel& kernel) { return std::make_unique<LatticeRows>(particles, kernel); }
-std::unique_ptr<RowSource> virtual_rows(const Particles& particles, const Kernel& kernel) { return std::make_unique<VirtualRows>(particles, kernel); }
-std::unique_ptr<RowSource> search_rows(const Particles& particles, const Kernel& kernel) { return std::make_unique<SearchRows>(particles, kernel); }
+std::unique_ptr<RowSource> lattice_rows(const Particles& particles, const Kernel& kernel) {
+  return std::make_unique<LatticeRows>(particles, kernel);
+}
+std::unique_ptr<RowSource> virtual_rows(const Particles& particles, const Kernel& kernel) {
+  return std::make_unique<VirtualRows>(particles, kernel);
+}
+std::unique_ptr<RowSource> search_rows(const Particles& particles, const Kernel& kernel) {
+  return std::make_unique<SearchRows>(particles, kernel);
+}
 
-std::unique_ptr<RowSource> stored_rows(std::vector<Row> rows) { return std::make_unique<StoredRows>(std::move(rows)); }
+std::unique_ptr<RowSource> stored_rows(std::vector<Row> rows) {
+  return std::make_unique<StoredRows>(std::move(rows));
+}
 
 std::unique_ptr<RowSource> transposed_rows(const Particles& particles, const RowSource& rows) {
   std::vector<Row> out(particles.size());

@@ -4,8 +4,8 @@
 
 #include "model/numerics/vectors.hpp"
 #include "model/scene/shapes/multilinear.hpp"
-#include "sph/particles/cell_list.hpp"
 #include "sph/operators/gradient_operator.hpp"
+#include "sph/particles/cell_list.hpp"
 
 namespace femsph::sph {
 
@@ -23,7 +23,9 @@ std::vector<Point> operator_areas(const Particles& particles, const Kernel& kern
       for (int a = 0; a < particles.dim; ++a) {
         double G = 0;
         for (int c = 0; c < particles.dim; ++c) G += n.w[c] * B[c][a];
-        out[own][std::size_t(a)] += particles.own_volume(i) * G * (image ? particles.mirrored[j - particles.size()].sign[std::size_t(a)] : 1.0);
+        out[own][std::size_t(a)] += particles.own_volume(i) * G *
+                                    (image ? particles.mirrored[j - particles.size()].sign[std::size_t(a)]
+                                           : 1.0);
         out[i][std::size_t(a)] -= particles.own_volume(i) * G;
       }
     }
@@ -33,8 +35,10 @@ std::vector<Point> operator_areas(const Particles& particles, const Kernel& kern
 
 namespace {
 
-/// Squares of the distances from each particle to the nearest piece, `radius` squared where none is that near.
-std::vector<double> distances(const Particles& particles, const std::vector<SidePiece>& pieces, double radius) {
+/// Squares of the distances from each particle to the nearest piece, `radius` squared where none is that
+/// near.
+std::vector<double> distances(const Particles& particles, const std::vector<SidePiece>& pieces,
+                              double radius) {
   std::vector<Point> at;
   for (const SidePiece& piece : pieces) at.push_back(piece.at);
   std::vector<double> out(particles.size(), radius * radius);
@@ -76,9 +80,11 @@ std::vector<double> solved(std::vector<std::vector<double>> A, std::vector<doubl
 
 }  // namespace
 
-std::vector<PointArea> balanced_side(const Particles& particles, const std::vector<std::vector<SidePiece>>& pieces,
-                                     const std::vector<std::vector<PointArea>>& hats, std::vector<Point> areas, double radius) {
-  const std::size_t n = particles.size(), sides = pieces.size(), dim = std::size_t(particles.dim), motions = dim == 2 ? 3 : 6;
+std::vector<PointArea> balanced_side(
+    const Particles& particles, const std::vector<std::vector<SidePiece>>& pieces,
+    const std::vector<std::vector<PointArea>>& hats, std::vector<Point> areas, double radius) {
+  const std::size_t n = particles.size(), sides = pieces.size(), dim = std::size_t(particles.dim),
+                    motions = dim == 2 ? 3 : 6;
   for (const auto& side : hats)
     for (const PointArea& part : side) areas[part.point] = areas[part.point] - part.area;
   std::vector<std::vector<double>> far, theta(sides, std::vector<double>(n, 0.0));
@@ -98,7 +104,8 @@ std::vector<PointArea> balanced_side(const Particles& particles, const std::vect
   /// Rigid motion k at particle i: along an axis, or about one.
   const auto motion = [&](std::size_t k, std::size_t i) {
     Point out{};
-    if (k < dim) out[k] = 1;
+    if (k < dim)
+      out[k] = 1;
     else {
       Point axis{};
       axis[dim == 2 ? 2 : k - dim] = 1 / extent;
@@ -108,11 +115,14 @@ std::vector<PointArea> balanced_side(const Particles& particles, const std::vect
   };
   std::vector<std::vector<double>> matrix(sides * motions, std::vector<double>(sides * motions, 0.0));
   std::vector<double> lacking(sides * motions, 0.0);
-  const auto meet = [&](std::size_t s, std::size_t t, std::size_t i) { return s != t && far[s][i] < radius * radius && far[t][i] < radius * radius; };
+  const auto meet = [&](std::size_t s, std::size_t t, std::size_t i) {
+    return s != t && far[s][i] < radius * radius && far[t][i] < radius * radius;
+  };
   for (std::size_t i = 0; i < n; ++i)
     for (std::size_t s = 0; s < sides; ++s) {
       if (far[s][i] >= radius * radius) continue;
-      for (std::size_t k = 0; k < motions; ++k) lacking[s * motions + k] -= theta[s][i] * dot(motion(k, i), areas[i]);
+      for (std::size_t k = 0; k < motions; ++k)
+        lacking[s * motions + k] -= theta[s][i] * dot(motion(k, i), areas[i]);
       for (std::size_t t = 0; t < sides; ++t)
         for (std::size_t k = 0; k < motions && meet(s, t, i); ++k)
           for (std::size_t l = 0; l < motions; ++l) {
@@ -126,7 +136,8 @@ std::vector<PointArea> balanced_side(const Particles& particles, const std::vect
   for (std::size_t i = 0; i < n; ++i) {
     Point more = theta[0][i] * areas[i];
     for (std::size_t t = 1; t < sides; ++t)
-      for (std::size_t k = 0; k < motions && meet(0, t, i); ++k) more = more + (m[k] - m[t * motions + k]) * motion(k, i);
+      for (std::size_t k = 0; k < motions && meet(0, t, i); ++k)
+        more = more + (m[k] - m[t * motions + k]) * motion(k, i);
     if (dot(more, more) > 0) out.push_back({i, more});
   }
   return out;
@@ -143,8 +154,10 @@ std::vector<SidePiece> free_sides(const CellMesh& mesh, double size) {
   std::vector<SidePiece> out;
   for (const Facet& f : boundary_of(cells)) {
     const auto x = [&](std::size_t k) { return mesh.vertices[f.points[k]]; };
-    if (mesh.dim == 2) add_pieces({1, {x(0), x(1)}}, size, 1, out);
-    else add_pieces({2, {x(0), x(1), x(3), x(2)}}, size, 1, out);
+    if (mesh.dim == 2)
+      add_pieces({1, {x(0), x(1)}}, size, 1, out);
+    else
+      add_pieces({2, {x(0), x(1), x(3), x(2)}}, size, 1, out);
   }
   return out;
 }

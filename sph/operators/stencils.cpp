@@ -9,7 +9,8 @@ namespace femsph::sph {
 
 /// Merges the rows of eight particles: neighbours at the same offset with the same weights become one slot.
 template <int dim>
-auto LatticeStencils<dim>::slots_of_block(const RowSource& rows, std::size_t block, std::size_t particles, Row& scratch) const -> std::vector<Slot> {
+auto LatticeStencils<dim>::slots_of_block(const RowSource& rows, std::size_t block, std::size_t particles,
+                                          Row& scratch) const -> std::vector<Slot> {
   std::vector<Slot> slots;
   for (int l = 0; l < lanes && block * lanes + std::size_t(l) < particles; ++l) {
     const std::size_t i = block * lanes + std::size_t(l);
@@ -22,10 +23,13 @@ auto LatticeStencils<dim>::slots_of_block(const RowSource& rows, std::size_t blo
       s.offset = n.index - std::int32_t(i);
       s.mask = 1u << l;
       const auto same = std::find_if(slots.begin(), slots.end(), [&](const Slot& t) {
-        return t.offset == s.offset && std::memcmp(t.w, s.w, sizeof s.w) == 0 && std::memcmp(&t.scale, &s.scale, sizeof s.scale) == 0;
+        return t.offset == s.offset && std::memcmp(t.w, s.w, sizeof s.w) == 0 &&
+               std::memcmp(&t.scale, &s.scale, sizeof s.scale) == 0;
       });
-      if (same != slots.end()) same->mask |= s.mask;
-      else slots.push_back(s);
+      if (same != slots.end())
+        same->mask |= s.mask;
+      else
+        slots.push_back(s);
     }
   }
   std::stable_sort(slots.begin(), slots.end(), [](const Slot& a, const Slot& b) {
@@ -62,7 +66,8 @@ LatticeStencils<dim>::LatticeStencils(const RowSource& rows, std::size_t particl
 
 template <int dim>
 std::size_t LatticeStencils<dim>::bytes() const {
-  return slots_.size() * sizeof(Slot) + descriptors_.size() * sizeof(Descriptor) + descriptor_of_.size() * sizeof(std::uint32_t);
+  return slots_.size() * sizeof(Slot) + descriptors_.size() * sizeof(Descriptor) +
+         descriptor_of_.size() * sizeof(std::uint32_t);
 }
 
 template <int dim>
@@ -80,9 +85,12 @@ ListStencils<dim>::ListStencils(const RowSource& rows, std::size_t particles) {
     }
     for (std::size_t k = 0; k < most; ++k) {
       for (int l = 0; l < lanes; ++l)  // a lane with fewer neighbours looks at itself, with weight 0
-        index_.push_back(k < row[l].size() ? row[l][k].index : std::int32_t(std::min(b * lanes + std::size_t(l), particles - 1)));
+        index_.push_back(k < row[l].size()
+                             ? row[l][k].index
+                             : std::int32_t(std::min(b * lanes + std::size_t(l), particles - 1)));
       for (int a = 0; a <= dim; ++a)
-        for (int l = 0; l < lanes; ++l) weight_.push_back(k >= row[l].size() ? 0.0 : a < dim ? row[l][k].w[a] : row[l][k].scale);
+        for (int l = 0; l < lanes; ++l)
+          weight_.push_back(k >= row[l].size() ? 0.0 : a < dim ? row[l][k].w[a] : row[l][k].scale);
     }
     begin_.push_back(begin_.back() + most);
   }
@@ -90,7 +98,8 @@ ListStencils<dim>::ListStencils(const RowSource& rows, std::size_t particles) {
 
 template <int dim>
 std::size_t ListStencils<dim>::bytes() const {
-  return begin_.size() * sizeof(std::size_t) + index_.size() * sizeof(std::int32_t) + weight_.size() * sizeof(double);
+  return begin_.size() * sizeof(std::size_t) + index_.size() * sizeof(std::int32_t) +
+         weight_.size() * sizeof(double);
 }
 
 template class LatticeStencils<1>;  // of one value a particle: mean_dilatation.hpp

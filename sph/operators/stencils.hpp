@@ -1,10 +1,14 @@
 #pragma once
 // Two packings of the same operator, behind one interface:
-//   LatticeStencils  eight consecutive particles share one list of slots (offset, w, lane mask); blocks with equal lists share one
-//                    descriptor, so a whole lattice is described by a few dozen of them and neighbours are contiguous loads.
-//   ListStencils     eight particles, their neighbours side by side (SELL-8), gathered: for particles anywhere.
-// A field is kept as one row per component, `stride` apart; particle i of a field sits at `first + i`. Of Q, which the divergence sums, the packing
-// says itself where component k = r dim + c of particle i is: TensorRows, or TensorRecords where neighbours are anywhere in memory.
+//   LatticeStencils  eight consecutive particles share one list of slots (offset, w, lane mask); blocks with
+//   equal lists share one
+//                    descriptor, so a whole lattice is described by a few dozen of them and neighbours are
+//                    contiguous loads.
+//   ListStencils     eight particles, their neighbours side by side (SELL-8), gathered: for particles
+//   anywhere.
+// A field is kept as one row per component, `stride` apart; particle i of a field sits at `first + i`. Of Q,
+// which the divergence sums, the packing says itself where component k = r dim + c of particle i is:
+// TensorRows, or TensorRecords where neighbours are anywhere in memory.
 
 #include <cstdint>
 #include <type_traits>
@@ -42,7 +46,8 @@ struct TensorRows {
   }
 };
 
-/// The components of a particle side by side: in space, eight loads and a transpose and the ninth instead of 72 loads.
+/// The components of a particle side by side: in space, eight loads and a transpose and the ninth instead of
+/// 72 loads.
 struct TensorRecords {
   static constexpr int size = 9;
   static std::size_t at(std::size_t i, int k, std::size_t) { return i * size + std::size_t(k); }
@@ -85,10 +90,11 @@ class LatticeStencils {
   /// Largest |offset| between neighbours: how much padding a field needs at both ends.
   std::size_t reach() const { return reach_; }
 
-  /// H = sum_j (u_j - u_i) (x) w_ij of the eight particles that start at `u` (component stride `stride`); with_scale adds
-  /// L = sum_j scale_ij (u_j - u_i).
+  /// H = sum_j (u_j - u_i) (x) w_ij of the eight particles that start at `u` (component stride `stride`);
+  /// with_scale adds L = sum_j scale_ij (u_j - u_i).
   template <bool with_scale>
-  FEMSPH_INLINE void gradient(std::size_t block, const double* u, std::size_t stride, Tensor<Pack, dim>& H, Pack (&L)[dim]) const {
+  FEMSPH_INLINE void gradient(std::size_t block, const double* u, std::size_t stride, Tensor<Pack, dim>& H,
+                              Pack (&L)[dim]) const {
     Pack here[dim];
     for (int r = 0; r < dim; ++r) {
       here[r] = load_unaligned<Pack>(u + r * stride);
@@ -99,7 +105,8 @@ class LatticeStencils {
   }
 
   /// sum_j Q_j w_ij; Q starts at `q`.
-  FEMSPH_INLINE void divergence(std::size_t block, const double* q, std::size_t stride, Pack (&f)[dim]) const {
+  FEMSPH_INLINE void divergence(std::size_t block, const double* q, std::size_t stride,
+                                Pack (&f)[dim]) const {
     Pack part[dim][dim];
     for (auto& row : part)
       for (Pack& x : row) x = Pack{};
@@ -110,7 +117,8 @@ class LatticeStencils {
     }
   }
 
-  /// Calls take(difference[dim], w[dim], scale) for every neighbour; lanes without that neighbour have w = 0 and scale = 0.
+  /// Calls take(difference[dim], w[dim], scale) for every neighbour; lanes without that neighbour have w = 0
+  /// and scale = 0.
   template <class Take>
   FEMSPH_INLINE void each(std::size_t block, const double* u, std::size_t stride, Take&& take) const {
     Pack here[dim];
@@ -142,7 +150,8 @@ class LatticeStencils {
     std::int32_t offset;
     std::uint32_t mask;
   };
-  // Slots are grouped by which components of w are not zero (pattern 1 .. 2^dim - 1) and whether all lanes take part.
+  // Slots are grouped by which components of w are not zero (pattern 1 .. 2^dim - 1) and whether all lanes
+  // take part.
   static constexpr int patterns = 1 << dim, groups = 2 * patterns;
   static constexpr std::uint32_t all_lanes = (1u << lanes) - 1;
   struct Descriptor {
@@ -155,18 +164,21 @@ class LatticeStencils {
     return p;
   }
   static int group_of(const Slot& s) { return 2 * pattern_of(s) + (s.mask != all_lanes); }
-  std::vector<Slot> slots_of_block(const RowSource& rows, std::size_t block, std::size_t particles, Row& scratch) const;
+  std::vector<Slot> slots_of_block(const RowSource& rows, std::size_t block, std::size_t particles,
+                                   Row& scratch) const;
 
   template <bool with_scale, int pattern>
-  FEMSPH_INLINE void gradient_groups(const Descriptor& d, const double* u, std::size_t stride, const Pack (&here)[dim], Tensor<Pack, dim>& H,
-                                     Pack (&L)[dim]) const {
-    gradient_slots<with_scale, pattern, false>(d.begin[2 * pattern], d.begin[2 * pattern + 1], u, stride, here, H, L);
-    gradient_slots<with_scale, pattern, true>(d.begin[2 * pattern + 1], d.begin[2 * pattern + 2], u, stride, here, H, L);
+  FEMSPH_INLINE void gradient_groups(const Descriptor& d, const double* u, std::size_t stride,
+                                     const Pack (&here)[dim], Tensor<Pack, dim>& H, Pack (&L)[dim]) const {
+    gradient_slots<with_scale, pattern, false>(
+        d.begin[2 * pattern], d.begin[2 * pattern + 1], u, stride, here, H, L);
+    gradient_slots<with_scale, pattern, true>(
+        d.begin[2 * pattern + 1], d.begin[2 * pattern + 2], u, stride, here, H, L);
     if constexpr (pattern + 1 < patterns) gradient_groups<with_scale, pattern + 1>(d, u, stride, here, H, L);
   }
   template <bool with_scale, int pattern, bool partial>
-  FEMSPH_INLINE void gradient_slots(std::uint32_t k, std::uint32_t end, const double* u, std::size_t stride, const Pack (&here)[dim],
-                                    Tensor<Pack, dim>& H, Pack (&L)[dim]) const {
+  FEMSPH_INLINE void gradient_slots(std::uint32_t k, std::uint32_t end, const double* u, std::size_t stride,
+                                    const Pack (&here)[dim], Tensor<Pack, dim>& H, Pack (&L)[dim]) const {
     for (; k < end; ++k) {
       const Slot& s = slots_[k];
       Pack difference[dim];
@@ -183,19 +195,22 @@ class LatticeStencils {
     }
   }
   template <int pattern>
-  FEMSPH_INLINE void divergence_groups(const Descriptor& d, const double* q, std::size_t stride, Pack (&part)[dim][dim]) const {
+  FEMSPH_INLINE void divergence_groups(const Descriptor& d, const double* q, std::size_t stride,
+                                       Pack (&part)[dim][dim]) const {
     divergence_slots<pattern, false>(d.begin[2 * pattern], d.begin[2 * pattern + 1], q, stride, part);
     divergence_slots<pattern, true>(d.begin[2 * pattern + 1], d.begin[2 * pattern + 2], q, stride, part);
     if constexpr (pattern + 1 < patterns) divergence_groups<pattern + 1>(d, q, stride, part);
   }
   template <int pattern, bool partial>
-  FEMSPH_INLINE void divergence_slots(std::uint32_t k, std::uint32_t end, const double* q, std::size_t stride, Pack (&part)[dim][dim]) const {
+  FEMSPH_INLINE void divergence_slots(std::uint32_t k, std::uint32_t end, const double* q, std::size_t stride,
+                                      Pack (&part)[dim][dim]) const {
     for (; k < end; ++k) {
       const Slot& s = slots_[k];
       for (int c = 0; c < dim; ++c)
         if (pattern >> c & 1) {
           const Pack w = partial ? masked(s.mask, s.w[c]) : broadcast<Pack>(s.w[c]);
-          for (int r = 0; r < dim; ++r) part[r][c] += load_unaligned<Pack>(q + (r * dim + c) * stride + s.offset) * w;
+          for (int r = 0; r < dim; ++r)
+            part[r][c] += load_unaligned<Pack>(q + (r * dim + c) * stride + s.offset) * w;
         }
     }
   }
@@ -217,26 +232,33 @@ class ListStencils {
   std::size_t reach() const { return 0; }
 
   template <bool with_scale>
-  FEMSPH_INLINE void gradient(std::size_t block, const double* u, std::size_t stride, Tensor<Pack, dim>& H, Pack (&L)[dim]) const {
+  FEMSPH_INLINE void gradient(std::size_t block, const double* u, std::size_t stride, Tensor<Pack, dim>& H,
+                              Pack (&L)[dim]) const {
     for (int r = 0; r < dim; ++r) {
       L[r] = Pack{};
       for (int c = 0; c < dim; ++c) H[r][c] = Pack{};
     }
-    each(block, u, stride, [&](const Pack(&difference)[dim], const Pack(&w)[dim], const Pack& scale) __attribute__((always_inline)) {
-      for (int r = 0; r < dim; ++r) {
-        for (int c = 0; c < dim; ++c) H[r][c] += difference[r] * w[c];
-        if constexpr (with_scale) L[r] += difference[r] * scale;
-      }
-    });
+    each(
+        block, u, stride,
+        [&](const Pack(&difference)[dim], const Pack(&w)[dim], const Pack& scale)
+            __attribute__((always_inline)) {
+              for (int r = 0; r < dim; ++r) {
+                for (int c = 0; c < dim; ++c) H[r][c] += difference[r] * w[c];
+                if constexpr (with_scale) L[r] += difference[r] * scale;
+              }
+            });
   }
-  FEMSPH_INLINE void divergence(std::size_t block, const double* q, std::size_t stride, Pack (&f)[dim]) const {
+  FEMSPH_INLINE void divergence(std::size_t block, const double* q, std::size_t stride,
+                                Pack (&f)[dim]) const {
     for (Pack& x : f) x = Pack{};
     const double* origin = q - Tensors::at(block * lanes, 0, stride);
     for (std::size_t k = begin_[block]; k < begin_[block + 1]; ++k) {
       Pack Q[dim * dim];
-      if constexpr (dim == 3) Tensors::gather(origin, &index_[k * lanes], Q);
+      if constexpr (dim == 3)
+        Tensors::gather(origin, &index_[k * lanes], Q);
       else
-        for (int n = 0; n < dim * dim; ++n) Q[n] = gather(origin + std::size_t(n) * stride, &index_[k * lanes]);
+        for (int n = 0; n < dim * dim; ++n)
+          Q[n] = gather(origin + std::size_t(n) * stride, &index_[k * lanes]);
       for (int c = 0; c < dim; ++c) {
         const Pack w = load<Pack>(&weight_[(k * (dim + 1) + c) * lanes]);
         for (int r = 0; r < dim; ++r) f[r] += Q[r * dim + c] * w;
@@ -259,15 +281,19 @@ class ListStencils {
   }
   template <class Take>
   void each_index(std::size_t block, Take&& take) const {
-    for (std::size_t k = begin_[block] * lanes; k < begin_[block + 1] * lanes; ++k) take(std::size_t(index_[k]));
+    for (std::size_t k = begin_[block] * lanes; k < begin_[block + 1] * lanes; ++k)
+      take(std::size_t(index_[k]));
   }
-  /// sum_j scale_ij |H x_ij - u_ij|^2 where what is stored as scale is the symmetric mean of two (projection.hpp): w tells it, and the places.
-  Pack misfit(std::size_t block, const std::vector<Point>& position, const double* u, std::size_t stride, const Tensor<Pack, dim>& H) const {
+  /// sum_j scale_ij |H x_ij - u_ij|^2 where what is stored as scale is the symmetric mean of two
+  /// (projection.hpp): w tells it, and the places.
+  Pack misfit(std::size_t block, const std::vector<Point>& position, const double* u, std::size_t stride,
+              const Tensor<Pack, dim>& H) const {
     Pack sum{};
     std::size_t k = begin_[block];
     each(block, u, stride, [&](const Pack(&difference)[dim], const Pack(&w)[dim], const Pack&) {
       for (int l = 0; l < lanes; ++l) {
-        const Point &to = position[std::size_t(index_[k * lanes + std::size_t(l)])], &from = position[std::min(block * lanes + std::size_t(l), position.size() - 1)];
+        const Point &to = position[std::size_t(index_[k * lanes + std::size_t(l)])],
+                    &from = position[std::min(block * lanes + std::size_t(l), position.size() - 1)];
         double along = 0, far = 0, square = 0;
         for (int r = 0; r < dim; ++r) {
           double off = -difference[r][l];
@@ -284,7 +310,8 @@ class ListStencils {
 
  private:
   FEMSPH_INLINE static Pack gather(const double* p, const std::int32_t* index) {
-    return Pack{p[index[0]], p[index[1]], p[index[2]], p[index[3]], p[index[4]], p[index[5]], p[index[6]], p[index[7]]};
+    return Pack{p[index[0]], p[index[1]], p[index[2]], p[index[3]],
+                p[index[4]], p[index[5]], p[index[6]], p[index[7]]};
   }
   std::vector<std::size_t> begin_;     ///< of each block, in neighbour groups
   AlignedVector<std::int32_t> index_;  ///< [group][lane]

@@ -15,7 +15,8 @@ namespace femsph::sph {
 /// Rows whose `scale` s_ij gives phi_ij = s_ij (v_j - v_i) . w_ij, with w_ij = V_j grad_i W_ij along x_ij.
 class ViscousRows final : public RowSource {
  public:
-  ViscousRows(std::unique_ptr<RowSource> rows, double h, double gamma) : rows_(std::move(rows)), h_(h), gamma_(gamma) {}
+  ViscousRows(std::unique_ptr<RowSource> rows, double h, double gamma)
+      : rows_(std::move(rows)), h_(h), gamma_(gamma) {}
   void row(std::size_t i, Row& out) const override {
     rows_->row(i, out);
     for (Neighbour& n : out) {
@@ -33,23 +34,30 @@ class ViscousRows final : public RowSource {
 template <int dim, class Stencils>
 class PairViscosity {
  public:
-  PairViscosity(const Particles& p, const Kernel& kernel, const Options& options, double density, double sound, double thickness)
-      : stencils_(ViscousRows(p.regular ? lattice_rows(p, kernel) : search_rows(p, kernel), kernel.h(), options.viscosity.gamma), p.size()),
-        linear_(density * options.viscosity.alpha * sound), quadratic_(density * options.viscosity.beta), volume_(round_up(p.size(), lanes), 0.0) {
+  PairViscosity(const Particles& p, const Kernel& kernel, const Options& options, double density,
+                double sound, double thickness)
+      : stencils_(ViscousRows(p.regular ? lattice_rows(p, kernel) : search_rows(p, kernel), kernel.h(),
+                              options.viscosity.gamma),
+                  p.size()),
+        linear_(density * options.viscosity.alpha * sound),
+        quadratic_(density * options.viscosity.beta),
+        volume_(round_up(p.size(), lanes), 0.0) {
     for (std::size_t i = 0; i < p.size(); ++i) volume_[i] = p.own_volume(i) * thickness;
   }
   std::size_t bytes() const { return stencils_.bytes() + volume_.size() * sizeof(double); }
 
   /// f = viscous force of velocity v (flat, as `layout` says).
   void force(const double* v, const Layout& layout, double* f) const {
-    pairs(v, layout, f, [&](const Pack& phi) __attribute__((always_inline)) {
-      const Pack closing = select(phi < 0.0, phi, Pack{});
-      return (linear_ - quadratic_ * closing) * closing;
-    });
+    pairs(
+        v, layout, f, [&](const Pack& phi) __attribute__((always_inline)) {
+          const Pack closing = select(phi < 0.0, phi, Pack{});
+          return (linear_ - quadratic_ * closing) * closing;
+        });
   }
   /// y = C x with every pair approaching, without the quadratic part.
   void matrix(const double* x, const Layout& layout, double* y) const {
-    pairs(x, layout, y, [&](const Pack& phi) __attribute__((always_inline)) { return -linear_ * phi; });
+    pairs(
+        x, layout, y, [&](const Pack& phi) __attribute__((always_inline)) { return -linear_ * phi; });
   }
 
  private:
@@ -60,13 +68,17 @@ class PairViscosity {
       for (std::size_t block = begin / lanes; block < end / lanes; ++block) {
         const std::size_t first = layout.offset + block * lanes;
         Pack force[dim] = {};
-        stencils_.each(block, v + first, stride, [&](const Pack(&difference)[dim], const Pack(&w)[dim], const Pack& scale) __attribute__((always_inline)) {
-          Pack along = difference[0] * w[0];
-          for (int r = 1; r < dim; ++r) along += difference[r] * w[r];
-          const Pack p = strength(scale * along);
-          for (int r = 0; r < dim; ++r) force[r] += p * w[r];
-        });
-        for (int r = 0; r < dim; ++r) store(f + first + r * stride, load<Pack>(&volume_[block * lanes]) * force[r]);
+        stencils_.each(
+            block, v + first, stride,
+            [&](const Pack(&difference)[dim], const Pack(&w)[dim], const Pack& scale)
+                __attribute__((always_inline)) {
+                  Pack along = difference[0] * w[0];
+                  for (int r = 1; r < dim; ++r) along += difference[r] * w[r];
+                  const Pack p = strength(scale * along);
+                  for (int r = 0; r < dim; ++r) force[r] += p * w[r];
+                });
+        for (int r = 0; r < dim; ++r)
+          store(f + first + r * stride, load<Pack>(&volume_[block * lanes]) * force[r]);
       }
     });
   }

@@ -26,7 +26,8 @@ void CellList::build(const std::vector<Point>& points, int dim, double radius) {
   }
   std::vector<int> cell_of(points.size());
   begin_.assign(std::size_t(count_[0]) * std::size_t(count_[1]) * std::size_t(count_[2]) + 1, 0);
-  for (std::size_t i = 0; i < points.size(); ++i) ++begin_[std::size_t(cell_of[i] = int(index(points[i]))) + 1];
+  for (std::size_t i = 0; i < points.size(); ++i)
+    ++begin_[std::size_t(cell_of[i] = int(index(points[i]))) + 1];
   for (std::size_t c = 1; c < begin_.size(); ++c) begin_[c] += begin_[c - 1];
   items_.resize(points.size());
   for (int a = 0; a < dim; ++a) sorted_[a].resize(points.size());

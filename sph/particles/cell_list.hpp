@@ -1,7 +1,8 @@
 #pragma once
-// Cell list: which points lie within a radius of a point, in O(1) a query. Bounded in memory wherever the points are: a grid that would be
-// larger than its share folds space instead, cell c standing for c + n, c + 2 n, .. as well; what comes from far away so is a candidate
-// too many, never one too few. A point that is not a finite number is nobody's neighbour.
+// Cell list: which points lie within a radius of a point, in O(1) a query. Bounded in memory wherever the
+// points are: a grid that would be larger than its share folds space instead, cell c standing for c + n, c +
+// 2 n, .. as well; what comes from far away so is a candidate too many, never one too few. A point that is
+// not a finite number is nobody's neighbour.
 
 #include <array>
 #include <cstddef>
@@ -19,18 +20,22 @@ class CellList {
   /// Sorts the points into cells of edge `radius` (counting sort: points of a cell stay in index order).
   void build(const std::vector<Point>& points, int dim, double radius);
 
-  /// Calls take(first, last) for runs of sorted points that hold every point within `radius` of p, each once, and some beyond.
+  /// Calls take(first, last) for runs of sorted points that hold every point within `radius` of p, each once,
+  /// and some beyond.
   template <class Take>
   void runs(const Point& p, Take&& take) const {
     Around around[3];
     for (int a = 0; a < 3; ++a) around[a] = cells_around(p, a);
     for (int k = 0; k < around[2].size; ++k)
       for (int j = 0; j < around[1].size; ++j) {
-        const std::size_t row = std::size_t(count_[0]) * (std::size_t(around[1].cell[j]) + std::size_t(count_[1]) * std::size_t(around[2].cell[k]));
+        const std::size_t row = std::size_t(count_[0]) *
+                                (std::size_t(around[1].cell[j]) +
+                                 std::size_t(count_[1]) * std::size_t(around[2].cell[k]));
         for (int i = 0; i < around[0].size;) {  // cells that follow each other are one run
           const int first = i++;
           while (i < around[0].size && around[0].cell[i] == around[0].cell[i - 1] + 1) ++i;
-          take(begin_[row + std::size_t(around[0].cell[first])], begin_[row + std::size_t(around[0].cell[i - 1]) + 1]);
+          take(begin_[row + std::size_t(around[0].cell[first])],
+               begin_[row + std::size_t(around[0].cell[i - 1]) + 1]);
         }
       }
   }
@@ -42,11 +47,13 @@ class CellList {
     });
   }
 
-  const std::vector<int>& items() const { return items_; }                ///< sorted by cell
+  const std::vector<int>& items() const { return items_; }                     ///< sorted by cell
   const std::vector<double>& sorted(int axis) const { return sorted_[axis]; }  ///< their coordinates
-  int fullest() const;                                                    ///< most points in one cell
-  int one_of_fullest() const;                                             ///< one of these points
-  std::size_t bytes() const { return (begin_.size() + items_.size()) * sizeof(int) + std::size_t(dim_) * items_.size() * sizeof(double); }
+  int fullest() const;                                                         ///< most points in one cell
+  int one_of_fullest() const;                                                  ///< one of these points
+  std::size_t bytes() const {
+    return (begin_.size() + items_.size()) * sizeof(int) + std::size_t(dim_) * items_.size() * sizeof(double);
+  }
 
  private:
   /// The cells that a query visits along one axis.
@@ -62,7 +69,9 @@ class CellList {
   }
   int place(const Point& p, int a) const;
   std::size_t index(const Point& p) const {
-    return std::size_t(place(p, 0)) + std::size_t(count_[0]) * (std::size_t(place(p, 1)) + std::size_t(count_[1]) * std::size_t(place(p, 2)));
+    return std::size_t(place(p, 0)) +
+           std::size_t(count_[0]) *
+               (std::size_t(place(p, 1)) + std::size_t(count_[1]) * std::size_t(place(p, 2)));
   }
 
   int dim_ = 2;

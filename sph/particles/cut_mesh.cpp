@@ -14,8 +14,9 @@ namespace femsph::sph {
 
 namespace {
 
-/// What one smoothing length suits, of the spacing: up to sqrt(2) the kernel (radius 2 d) still reaches neighbours on the diagonal; down to 0.4 a
-/// particle has six (plane) to fifteen times (in space) the neighbours, which costs time only.
+/// What one smoothing length suits, of the spacing: up to sqrt(2) the kernel (radius 2 d) still reaches
+/// neighbours on the diagonal; down to 0.4 a particle has six (plane) to fifteen times (in space) the
+/// neighbours, which costs time only.
 constexpr double least = 0.35, most = 1.6;
 
 /// Edges that must have one number of pieces, with the lengths of the shortest and the longest of them.
@@ -27,8 +28,10 @@ class Strips {
         int first = -1;
         each_edge(int(c), a, [&](int p, int q) {
           const int edge = number_of(p, q);
-          if (first < 0) first = edge;
-          else parent_[std::size_t(root(edge))] = root(first);
+          if (first < 0)
+            first = edge;
+          else
+            parent_[std::size_t(root(edge))] = root(first);
         });
       }
     shortest_.assign(parent_.size(), 1e300);
@@ -44,7 +47,9 @@ class Strips {
   /// Along each axis of a cell.
   std::array<int, 3> pieces(int cell, double spacing) {
     std::array<int, 3> n{1, 1, 1};
-    for (int a = 0; a < mesh_.dim; ++a) each_edge(cell, a, [&](int p, int q) { n[a] = pieces_of(std::size_t(root(number_of(p, q))), spacing); });
+    for (int a = 0; a < mesh_.dim; ++a)
+      each_edge(
+          cell, a, [&](int p, int q) { n[a] = pieces_of(std::size_t(root(number_of(p, q))), spacing); });
     return n;
   }
   /// The shortest and the longest piece.
@@ -75,12 +80,14 @@ class Strips {
     return at->second;
   }
   int root(int edge) {
-    while (parent_[std::size_t(edge)] != edge) edge = parent_[std::size_t(edge)] = parent_[std::size_t(parent_[std::size_t(edge)])];
+    while (parent_[std::size_t(edge)] != edge)
+      edge = parent_[std::size_t(edge)] = parent_[std::size_t(parent_[std::size_t(edge)])];
     return edge;
   }
   /// The number that leaves the shortest and the longest piece equally far from the spacing.
   int pieces_of(std::size_t strip, double spacing) const {
-    return std::max(1, int(std::min(1e6, std::round(std::sqrt(shortest_[strip] * longest_[strip]) / spacing))));
+    return std::max(
+        1, int(std::min(1e6, std::round(std::sqrt(shortest_[strip] * longest_[strip]) / spacing))));
   }
 
   const CellMesh& mesh_;
@@ -89,12 +96,14 @@ class Strips {
   std::vector<double> shortest_, longest_;
 };
 
-/// Corners of the pieces, shared between cells where they lie on a common vertex, edge or face. What such a place is, however the cells that share it
-/// are turned: the corners of the edge or face, and the weight of each (a whole number over the product of the numbers of pieces).
+/// Corners of the pieces, shared between cells where they lie on a common vertex, edge or face. What such a
+/// place is, however the cells that share it are turned: the corners of the edge or face, and the weight of
+/// each (a whole number over the product of the numbers of pieces).
 class Corners {
  public:
   explicit Corners(CellMesh& mesh) : mesh_(mesh) {}
-  int vertex(const std::array<int, 8>& cell, const Patch& patch, const std::array<int, 3>& n, const std::array<int, 3>& at) {
+  int vertex(const std::array<int, 8>& cell, const Patch& patch, const std::array<int, 3>& n,
+             const std::array<int, 3>& at) {
     Key key;
     key.fill({-1, 0});
     std::size_t count = 0;
@@ -127,9 +136,11 @@ class Corners {
   std::map<Key, int> at_;
 };
 
-void cut_cell(const CellMesh& mesh, const std::array<int, 8>& cell, const std::array<int, 3>& n, Corners& corners, CellMesh& out) {
+void cut_cell(const CellMesh& mesh, const std::array<int, 8>& cell, const std::array<int, 3>& n,
+              Corners& corners, CellMesh& out) {
   Patch patch{mesh.dim, {}};
-  for (int v = 0; v < patch.corner_count(); ++v) patch.corners[std::size_t(v)] = mesh.vertices[std::size_t(cell[std::size_t(v)])];
+  for (int v = 0; v < patch.corner_count(); ++v)
+    patch.corners[std::size_t(v)] = mesh.vertices[std::size_t(cell[std::size_t(v)])];
   const int levels = mesh.dim == 3 ? n[2] : 0;
   std::vector<int> number;
   for (int k = 0; k <= levels; ++k)
@@ -140,7 +151,8 @@ void cut_cell(const CellMesh& mesh, const std::array<int, 8>& cell, const std::a
       for (int i = 0; i < n[0]; ++i) {
         std::array<int, 8> piece{};
         for (int v = 0; v < patch.corner_count(); ++v)
-          piece[std::size_t(v)] = number[std::size_t(i + (v & 1) + (n[0] + 1) * (j + (v >> 1 & 1) + (n[1] + 1) * (k + (v >> 2))))];
+          piece[std::size_t(v)] = number[std::size_t(
+              i + (v & 1) + (n[0] + 1) * (j + (v >> 1 & 1) + (n[1] + 1) * (k + (v >> 2))))];
         out.cells.push_back(piece);
       }
 }
@@ -151,8 +163,11 @@ std::optional<CellMesh> cut_to_spacing(const CellMesh& mesh, double spacing, std
   Strips strips(mesh);
   if (!strips.suits(spacing)) {
     const auto [low, high] = strips.range(spacing);
-    why = fmt::format("its mesh cuts into pieces of {:.3g} to {:.3g} mm at best, too uneven for particles {:.3g} mm apart: they stand on a lattice instead, "
-                      "and stress near curved and slanted sides is rougher", low * 1e3, high * 1e3, spacing * 1e3);
+    why = fmt::format(
+        "its mesh cuts into pieces of {:.3g} to {:.3g} mm at best, too uneven for particles {:.3g} mm apart: "
+        "they stand on a lattice instead, "
+        "and stress near curved and slanted sides is rougher",
+        low * 1e3, high * 1e3, spacing * 1e3);
     for (double finer = spacing / 1.1; finer > spacing / 12; finer /= 1.1)
       if (strips.suits(finer)) {
         why += fmt::format("; a spacing of {:.3g} mm follows the mesh", finer * 1e3);
@@ -163,7 +178,8 @@ std::optional<CellMesh> cut_to_spacing(const CellMesh& mesh, double spacing, std
   CellMesh out;
   out.dim = mesh.dim;
   Corners corners(out);
-  for (std::size_t c = 0; c < mesh.cells.size(); ++c) cut_cell(mesh, mesh.cells[c], strips.pieces(int(c), spacing), corners, out);
+  for (std::size_t c = 0; c < mesh.cells.size(); ++c)
+    cut_cell(mesh, mesh.cells[c], strips.pieces(int(c), spacing), corners, out);
   return out;
 }
 

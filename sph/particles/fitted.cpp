@@ -38,24 +38,31 @@ void add_shares(const CellMesh& mesh, const std::array<int, 8>& cell, std::vecto
 /// Share of the full angle (solid angle in space) at each corner of a cell. In space, of three edges a, b, c:
 /// tan(Omega/2) = a.(b x c) / (abc + (a.b) c + (a.c) b + (b.c) a) (van Oosterom & Strackee 1983).
 void add_angles(const CellMesh& mesh, const std::array<int, 8>& cell, std::vector<double>& fraction) {
-  const auto edge = [&](int from, int to) { return mesh.vertices[std::size_t(cell[to])] - mesh.vertices[std::size_t(cell[from])]; };
+  const auto edge = [&](int from, int to) {
+    return mesh.vertices[std::size_t(cell[to])] - mesh.vertices[std::size_t(cell[from])];
+  };
   for (int v = 0; v < 1 << mesh.dim; ++v) {
     const Point a = edge(v, v ^ 1), b = edge(v, v ^ 2);
     if (mesh.dim == 2) {
-      fraction[std::size_t(cell[v])] += std::abs(std::atan2(a[0] * b[1] - a[1] * b[0], dot(a, b))) / (2 * std::numbers::pi);
+      fraction[std::size_t(cell[v])] += std::abs(std::atan2(a[0] * b[1] - a[1] * b[0], dot(a, b))) /
+                                        (2 * std::numbers::pi);
       continue;
     }
     const Point c = edge(v, v ^ 4);
     const double la = norm(a), lb = norm(b), lc = norm(c);
-    const double angle = 2 * std::atan2(std::abs(dot(a, cross(b, c))), la * lb * lc + dot(a, b) * lc + dot(a, c) * lb + dot(b, c) * la);
+    const double angle = 2 * std::atan2(std::abs(dot(a, cross(b, c))),
+                                        la * lb * lc + dot(a, b) * lc + dot(a, c) * lb + dot(b, c) * la);
     fraction[std::size_t(cell[v])] += angle / (4 * std::numbers::pi);
   }
 }
 
-/// Numbers vertices so that neighbours are near in memory: in slabs eight spacings thick along x, in them row by row.
+/// Numbers vertices so that neighbours are near in memory: in slabs eight spacings thick along x, in them row
+/// by row.
 void sort_vertices(CellMesh& mesh, double spacing) {
   std::vector<std::array<double, 4>> key;
-  for (const Point& x : mesh.vertices) key.push_back({std::floor(x[0] / (8 * spacing)), std::floor(x[2] / spacing), std::floor(x[1] / spacing), x[0]});
+  for (const Point& x : mesh.vertices)
+    key.push_back(
+        {std::floor(x[0] / (8 * spacing)), std::floor(x[2] / spacing), std::floor(x[1] / spacing), x[0]});
   std::vector<std::size_t> order(key.size());
   std::iota(order.begin(), order.end(), std::size_t{0});
   std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) { return key[a] < key[b]; });
@@ -77,10 +84,12 @@ std::vector<char> on_the_rim(const CellMesh& mesh, const std::vector<MirrorPlane
   }
   std::vector<char> rim(mesh.vertices.size(), 0);
   for (const Facet& facet : boundary_of(cells)) {
-    const Point &p = mesh.vertices[facet.points[0]], &q = mesh.vertices[facet.points[1]], &r = mesh.vertices[facet.points[mesh.dim == 3 ? 2 : 1]];
+    const Point &p = mesh.vertices[facet.points[0]], &q = mesh.vertices[facet.points[1]],
+                &r = mesh.vertices[facet.points[mesh.dim == 3 ? 2 : 1]];
     const double tolerance = 1e-6 * std::hypot(q[0] - p[0], q[1] - p[1], q[2] - p[2]);
     if (std::any_of(planes.begin(), planes.end(), [&](const MirrorPlane& m) {
-          return std::max({std::abs(p[m.axis] - m.at), std::abs(q[m.axis] - m.at), std::abs(r[m.axis] - m.at)}) < tolerance;
+          return std::max({std::abs(p[m.axis] - m.at), std::abs(q[m.axis] - m.at),
+                           std::abs(r[m.axis] - m.at)}) < tolerance;
         }))
       continue;
     for (int k = 0; k < 2 * (mesh.dim - 1); ++k) rim[facet.points[std::size_t(k)]] = 1;
@@ -95,27 +104,34 @@ CellMesh own_cut(const StructuredShape& shape, const Options& options) {
   for (int a = 0; a < shape.dim(); ++a) {
     const double cells = std::round((upper[a] - lower[a]) / options.spacing);
     if (!(cells >= 1) || cells > 1e9)
-      throw Refusal(fmt::format("a spacing of {:g} mm does not fit a body {:g} mm long along {}", options.spacing * 1e3, (upper[a] - lower[a]) * 1e3, "xyz"[a]));
+      throw Refusal(fmt::format("a spacing of {:g} mm does not fit a body {:g} mm long along {}",
+                                options.spacing * 1e3, (upper[a] - lower[a]) * 1e3, "xyz"[a]));
     divisions[a] = int(cells);
   }
   if (const auto* ball = dynamic_cast<const OwnBall*>(&shape); ball && ball->size().finer > 1)
-    throw Refusal(fmt::format("SPH has one smoothing length, but the {} has cells of many sizes; leave \"finer\" out", ball->describe()));
+    throw Refusal(fmt::format(
+        "SPH has one smoothing length, but the {} has cells of many sizes; leave \"finer\" out",
+        ball->describe()));
   return shape.mesh(divisions);
 }
 
 }  // namespace
 
 bool is_fitted(const Shape& shape, const Options& options) {
-  return options.fitted && options.boundary == Boundary::none && options.jitter == 0 && (shape.cells() || dynamic_cast<const StructuredShape*>(&shape));
+  return options.fitted && options.boundary == Boundary::none && options.jitter == 0 &&
+         (shape.cells() || dynamic_cast<const StructuredShape*>(&shape));
 }
 
-std::optional<Particles> fill_fitted(const Shape& shape, const Options& options, const std::vector<MirrorPlane>& planes, std::string& why) {
+std::optional<Particles> fill_fitted(const Shape& shape, const Options& options,
+                                     const std::vector<MirrorPlane>& planes, std::string& why) {
   const double places = shape.measure() / std::pow(options.spacing, shape.dim());
   if (places > 5e8)
-    throw std::runtime_error(fmt::format("a spacing of {:g} mm asks for more than {:.1e} particles (about {:.0f} GB); take a coarser one", options.spacing * 1e3,
-                                         places, places * 300e-9));
+    throw std::runtime_error(fmt::format(
+        "a spacing of {:g} mm asks for more than {:.1e} particles (about {:.0f} GB); take a coarser one",
+        options.spacing * 1e3, places, places * 300e-9));
   const auto* structured = dynamic_cast<const StructuredShape*>(&shape);
-  std::optional<CellMesh> cut = structured ? own_cut(*structured, options) : cut_to_spacing(*shape.cells(), options.spacing, why);
+  std::optional<CellMesh> cut = structured ? own_cut(*structured, options)
+                                           : cut_to_spacing(*shape.cells(), options.spacing, why);
   if (!cut) return std::nullopt;
   CellMesh& mesh = *cut;
   if (!structured) sort_vertices(mesh, options.spacing);
@@ -131,7 +147,9 @@ std::optional<Particles> fill_fitted(const Shape& shape, const Options& options,
   p.volume.assign(p.size(), 0.0);
   p.fraction.assign(p.size(), 0.0);
   for (const auto& cell : mesh.cells) add_shares(mesh, cell, p.volume), add_angles(mesh, cell, p.fraction);
-  if (structured) match_moments(shape, planes, p.position, on_the_rim(mesh, planes), p.volume);  // what the chords of a round side leave out
+  if (structured)
+    match_moments(shape, planes, p.position, on_the_rim(mesh, planes),
+                  p.volume);  // what the chords of a round side leave out
   double count = 0;
   for (std::size_t i = 0; i < p.size(); ++i) {
     for (const MirrorPlane& m : planes)
@@ -140,7 +158,9 @@ std::optional<Particles> fill_fitted(const Shape& shape, const Options& options,
     p.fraction[i] = std::min(p.fraction[i] / p.part[i], 1.0);
     count += p.part[i];
   }
-  if (options.mass != MassRule::trapezoid) p.fraction.assign(p.size(), 1.0), p.volume.assign(p.size(), options.mass == MassRule::share ? shape.measure() / count : p.cell);
+  if (options.mass != MassRule::trapezoid)
+    p.fraction.assign(p.size(), 1.0),
+        p.volume.assign(p.size(), options.mass == MassRule::share ? shape.measure() / count : p.cell);
   return p;
 }
 

@@ -14,8 +14,10 @@ enum : char { empty, full, cut };
 
 class Hats {
  public:
-  Hats(const Shape& shape, const Lattice& lattice, const std::vector<MirrorPlane>& planes) : shape_(shape), l_(lattice), planes_(planes), dim_(shape.dim()) {
-    for (int a = 0; a < dim_; ++a) cells_[a] = l_.count[a] - 1, spacing_ = a ? std::min(spacing_, l_.spacing[a]) : l_.spacing[a];
+  Hats(const Shape& shape, const Lattice& lattice, const std::vector<MirrorPlane>& planes)
+      : shape_(shape), l_(lattice), planes_(planes), dim_(shape.dim()) {
+    for (int a = 0; a < dim_; ++a)
+      cells_[a] = l_.count[a] - 1, spacing_ = a ? std::min(spacing_, l_.spacing[a]) : l_.spacing[a];
     out_.share.assign(l_.at.size(), 0.0);
     out_.border.assign(l_.at.size(), 0);
     state_.assign(std::size_t(cells_[0]) * cells_[1] * cells_[2], full);
@@ -25,7 +27,8 @@ class Hats {
   void look() {
     const CellMesh* mesh = shape_.cells();
     if (mesh) mark_sides(*mesh);
-    if (!dynamic_cast<const Box*>(&shape_)) each_cell([&](const std::array<int, 3>& c) { look_at(c, mesh != nullptr); });
+    if (!dynamic_cast<const Box*>(&shape_))
+      each_cell([&](const std::array<int, 3>& c) { look_at(c, mesh != nullptr); });
   }
   bool any_cut() const { return std::find(state_.begin(), state_.end(), cut) != state_.end(); }
 
@@ -39,18 +42,24 @@ class Hats {
         if (state == cut) out_.border[node(c, v)] = 1;
       }
     });
-    if (mesh) add_mesh(*mesh);
-    else each_cell([&](const std::array<int, 3>& c) {
-      if (state_[cell(c)] == cut) add_lines(c);
-    });
+    if (mesh)
+      add_mesh(*mesh);
+    else
+      each_cell([&](const std::array<int, 3>& c) {
+        if (state_[cell(c)] == cut) add_lines(c);
+      });
     match();
     return std::move(out_);
   }
 
  private:
-  std::size_t cell(const std::array<int, 3>& c) const { return std::size_t(c[0]) + std::size_t(cells_[0]) * (std::size_t(c[1]) + std::size_t(cells_[1]) * c[2]); }
+  std::size_t cell(const std::array<int, 3>& c) const {
+    return std::size_t(c[0]) + std::size_t(cells_[0]) * (std::size_t(c[1]) + std::size_t(cells_[1]) * c[2]);
+  }
   std::size_t node(const std::array<int, 3>& c, int v) const {
-    return std::size_t(c[0] + (v & 1)) + std::size_t(l_.count[0]) * (std::size_t(c[1] + (v >> 1 & 1)) + std::size_t(l_.count[1]) * std::size_t(c[2] + (v >> 2 & 1)));
+    return std::size_t(c[0] + (v & 1)) +
+           std::size_t(l_.count[0]) * (std::size_t(c[1] + (v >> 1 & 1)) +
+                                       std::size_t(l_.count[1]) * std::size_t(c[2] + (v >> 2 & 1)));
   }
   /// The point at xi of a cell.
   Point at(const std::array<int, 3>& c, const std::array<double, 3>& xi) const {
@@ -70,7 +79,8 @@ class Hats {
     return phi;
   }
 
-  /// Cells of the lattice whose inside a free side of the mesh's cells crosses; one that lies on the lattice crosses none.
+  /// Cells of the lattice whose inside a free side of the mesh's cells crosses; one that lies on the lattice
+  /// crosses none.
   void mark_sides(const CellMesh& mesh) {
     Topology cells{dim_ == 2 ? Topology::Kind::quadrilaterals : Topology::Kind::hexahedra, {}};
     constexpr std::array<std::size_t, 8> vtk{0, 1, 3, 2, 4, 5, 7, 6};
@@ -81,10 +91,13 @@ class Hats {
     }
     for (const Facet& facet : boundary_of(cells)) {
       Patch patch{dim_ - 1, {}};
-      for (int v = 0; v < patch.corner_count(); ++v) patch.corners[v] = mesh.vertices[facet.points[std::size_t(vtk[std::size_t(v)])]];
+      for (int v = 0; v < patch.corner_count(); ++v)
+        patch.corners[v] = mesh.vertices[facet.points[std::size_t(vtk[std::size_t(v)])]];
       const auto n = cuts(patch, 0.5 * spacing_);
       for (int j = 0; j < n[1]; ++j)
-        for (int i = 0; i < n[0]; ++i) mark_piece(patch, {double(i) / n[0], double(j) / n[1]}, {double(i + 1) / n[0], double(j + 1) / n[1]});
+        for (int i = 0; i < n[0]; ++i)
+          mark_piece(
+              patch, {double(i) / n[0], double(j) / n[1]}, {double(i + 1) / n[0], double(j + 1) / n[1]});
     }
   }
   void mark_piece(const Patch& patch, const std::array<double, 2>& low, const std::array<double, 2>& high) {
@@ -92,7 +105,9 @@ class Hats {
     for (int a = 0; a < dim_; ++a) {
       double least = 0, most = 0;
       for (int v = 0; v < patch.corner_count(); ++v) {
-        const double x = (patch.at({v & 1 ? high[0] : low[0], v >> 1 & 1 ? high[1] : low[1], 0})[a] - l_.origin[a]) / l_.spacing[a];
+        const double x = (patch.at({v & 1 ? high[0] : low[0], v >> 1 & 1 ? high[1] : low[1], 0})[a] -
+                          l_.origin[a]) /
+                         l_.spacing[a];
         least = v ? std::min(least, x) : x, most = v ? std::max(most, x) : x;
       }
       first[a] = std::max(0, int(std::floor(least + 1e-6)));
@@ -113,11 +128,13 @@ class Hats {
     }
     int inside = 0, all = dim_ == 3 ? 27 : 9;
     const double xi[3] = {e, 0.5, 1 - e};
-    for (int s = 0; s < all; ++s) inside += shape_.contains(at(c, {xi[s % 3], xi[s / 3 % 3], xi[s / 9]}), 0.0);
+    for (int s = 0; s < all; ++s)
+      inside += shape_.contains(at(c, {xi[s % 3], xi[s / 3 % 3], xi[s / 9]}), 0.0);
     state_[cell(c)] = inside == all ? full : inside == 0 ? empty : cut;
   }
 
-  /// A cut cell along lines: of the axes the one across the side. On each line the pieces inside are found by bisection, and the hats integrated exactly.
+  /// A cut cell along lines: of the axes the one across the side. On each line the pieces inside are found by
+  /// bisection, and the hats integrated exactly.
   void add_lines(const std::array<int, 3>& c) {
     const int axis = axis_across(c), lines = dim_ == 3 ? 6 : 12;
     for (int q = 0; q < (dim_ == 3 ? lines * lines : lines); ++q) {
@@ -129,7 +146,8 @@ class Hats {
       for (const auto& [from, to] : pieces_inside(c, xi, axis))
         for (int v = 0; v < 1 << dim_; ++v) {
           xi[axis] = v >> axis & 1 ? 1 : 0;  // the other factors
-          const double along = v >> axis & 1 ? 0.5 * (to * to - from * from) : (to - from) - 0.5 * (to * to - from * from);
+          const double along = v >> axis & 1 ? 0.5 * (to * to - from * from)
+                                             : (to - from) - 0.5 * (to * to - from * from);
           out_.share[node(c, v)] += weight * hat(v, xi) * along;
         }
     }
@@ -148,7 +166,8 @@ class Hats {
     }
     return best;
   }
-  std::vector<std::pair<double, double>> pieces_inside(const std::array<int, 3>& c, std::array<double, 3> xi, int axis) const {
+  std::vector<std::pair<double, double>> pieces_inside(const std::array<int, 3>& c, std::array<double, 3> xi,
+                                                       int axis) const {
     const auto inside = [&](double t) {
       xi[axis] = t;
       return shape_.contains(at(c, xi), 0.0);
@@ -166,8 +185,10 @@ class Hats {
           const double middle = 0.5 * (low + high);
           (inside(middle) == before ? low : high) = middle;
         }
-        if (now) from = high;
-        else out.push_back({from, low});
+        if (now)
+          from = high;
+        else
+          out.push_back({from, low});
       }
       before = now;
     }
@@ -186,7 +207,8 @@ class Hats {
     return n;
   }
 
-  /// The places at cut cells anew, by Gauss points of a mesh's cells cut into pieces that are small against the lattice's.
+  /// The places at cut cells anew, by Gauss points of a mesh's cells cut into pieces that are small against
+  /// the lattice's.
   void add_mesh(const CellMesh& mesh) {
     for (std::size_t i = 0; i < out_.share.size(); ++i)
       if (out_.border[i]) out_.share[i] = 0;
@@ -196,7 +218,8 @@ class Hats {
       for (int v = 0; v < 1 << dim_; ++v) any = any || out_.border[node(c, v)];
       if (!any) return;
       std::array<int, 3> first{}, last{};
-      for (int a = 0; a < 3; ++a) first[a] = std::max(0, c[a] - 1), last[a] = std::min(cells_[a] - 1, c[a] + 1);
+      for (int a = 0; a < 3; ++a)
+        first[a] = std::max(0, c[a] - 1), last[a] = std::min(cells_[a] - 1, c[a] + 1);
       for (int k = first[2]; k <= last[2]; ++k)
         for (int j = first[1]; j <= last[1]; ++j)
           for (int i = first[0]; i <= last[0]; ++i) near[cell({i, j, k})] = 1;
@@ -210,7 +233,9 @@ class Hats {
       const auto n = cuts(patch, spacing_ / (dim_ == 3 ? 3 : 6));
       for (int s = 0; s < n[0] * n[1] * n[2]; ++s) {
         const std::array<int, 3> at{s % n[0], s / n[0] % n[1], s / n[0] / n[1]};
-        const auto inner = [&](double x, double y, double z) { return std::array<double, 3>{(at[0] + x) / n[0], (at[1] + y) / n[1], (at[2] + z) / n[2]}; };
+        const auto inner = [&](double x, double y, double z) {
+          return std::array<double, 3>{(at[0] + x) / n[0], (at[1] + y) / n[1], (at[2] + z) / n[2]};
+        };
         if (!near[cell(cell_of(patch.at(inner(0.5, 0.5, 0.5))).first)]) continue;
         for (int q = 0; q < patch.corner_count(); ++q) {
           const auto xi = inner(g[q & 1], g[q >> 1 & 1], g[q >> 2 & 1]);
@@ -260,7 +285,8 @@ class Hats {
 
 }  // namespace
 
-PartialVolumes partial_volumes(const Shape& shape, const Lattice& lattice, const std::vector<MirrorPlane>& planes) {
+PartialVolumes partial_volumes(const Shape& shape, const Lattice& lattice,
+                               const std::vector<MirrorPlane>& planes) {
   return Hats(shape, lattice, planes).integrate();
 }
 
@@ -270,12 +296,13 @@ bool follows_sides(const Shape& shape, const Lattice& lattice) {
   return !hats.any_cut();
 }
 
-void match_moments(const Shape& shape, const std::vector<MirrorPlane>& planes, const std::vector<Point>& at, const std::vector<char>& which,
-                   std::vector<double>& volume) {
+void match_moments(const Shape& shape, const std::vector<MirrorPlane>& planes, const std::vector<Point>& at,
+                   const std::vector<char>& which, std::vector<double>& volume) {
   const int n = shape.dim() + 1;
   const Point centroid = shape.centroid(), lower = shape.lower(), upper = shape.upper();
   const double measure = shape.measure();
-  double A[4][5] = {};  // of the unknowns a and b, lengths over those of the bounding box; the last column the right-hand side
+  double A[4][5] = {};  // of the unknowns a and b, lengths over those of the bounding box; the last column
+                        // the right-hand side
   A[0][n] = measure;
   for (std::size_t i = 0; i < at.size(); ++i) {
     double r[4] = {1, 0, 0, 0};
@@ -304,7 +331,8 @@ void match_moments(const Shape& shape, const std::vector<MirrorPlane>& planes, c
   for (std::size_t i = 0; i < at.size(); ++i) {
     if (!which[i]) continue;
     double scale = 1 + x[0];
-    for (int a = 1; a < n; ++a) scale += x[a] * (at[i][a - 1] - centroid[a - 1]) / (upper[a - 1] - lower[a - 1]);
+    for (int a = 1; a < n; ++a)
+      scale += x[a] * (at[i][a - 1] - centroid[a - 1]) / (upper[a - 1] - lower[a - 1]);
     volume[i] *= scale;
   }
 }

@@ -1,8 +1,10 @@
 #pragma once
-// How much of a body each place of a lattice stands for. With phi_i the multilinear hat function of place i (1 there, 0 at the other places) it is
+// How much of a body each place of a lattice stands for. With phi_i the multilinear hat function of place i
+// (1 there, 0 at the other places) it is
 //   V_i = integral of phi_i over the body.
-// The hats add up to one and reproduce x, so sum V_i is the body's volume and sum V_i x_i its first moment, however its sides cut the lattice; where
-// they lie on the lattice V_i is the part of the cell around i that is inside: a half on a face, a quarter on an edge.
+// The hats add up to one and reproduce x, so sum V_i is the body's volume and sum V_i x_i its first moment,
+// however its sides cut the lattice; where they lie on the lattice V_i is the part of the cell around i that
+// is inside: a half on a face, a quarter on an edge.
 
 #include <utility>
 #include <vector>
@@ -15,8 +17,10 @@ struct PartialVolumes {
   std::vector<double> share;  ///< V_i over the lattice's cell, of each place
   std::vector<char> border;   ///< a side of the body cuts a cell at this place
 };
-/// Only cells that the boundary cuts are integrated: those of a mesh by Gauss points, those of other shapes along the lines that cross the side.
-PartialVolumes partial_volumes(const Shape& shape, const Lattice& lattice, const std::vector<MirrorPlane>& planes);
+/// Only cells that the boundary cuts are integrated: those of a mesh by Gauss points, those of other shapes
+/// along the lines that cross the side.
+PartialVolumes partial_volumes(const Shape& shape, const Lattice& lattice,
+                               const std::vector<MirrorPlane>& planes);
 
 /// No cell of the lattice is cut by a side of the body: it follows the sides by itself.
 bool follows_sides(const Shape& shape, const Lattice& lattice);
@@ -25,15 +29,18 @@ bool follows_sides(const Shape& shape, const Lattice& lattice);
 /// Throws std::runtime_error when the spacing does not fit the body.
 Lattice lattice_over(const Shape& shape, double spacing);
 
-/// Scales the volumes marked in `which` by 1 + a + b . (x - c), the smallest change (weighted by 1/V) for which the sums of V and V x are the shape's.
-/// Across a symmetry plane the first moment is left alone: that of the body with its image is right, and the body's own must not differ from its half.
-void match_moments(const Shape& shape, const std::vector<MirrorPlane>& planes, const std::vector<Point>& at, const std::vector<char>& which,
-                   std::vector<double>& volume);
+/// Scales the volumes marked in `which` by 1 + a + b . (x - c), the smallest change (weighted by 1/V) for
+/// which the sums of V and V x are the shape's. Across a symmetry plane the first moment is left alone: that
+/// of the body with its image is right, and the body's own must not differ from its half.
+void match_moments(const Shape& shape, const std::vector<MirrorPlane>& planes, const std::vector<Point>& at,
+                   const std::vector<char>& which, std::vector<double>& volume);
 
-/// Who takes over what belongs to a place of the lattice without a particle: particles with factors that keep the total, and the first moment where
-/// two particles stand in a row next to it. `particle(place)` is -1 where there is none, `volume` of its particle weighs the rows.
+/// Who takes over what belongs to a place of the lattice without a particle: particles with factors that keep
+/// the total, and the first moment where two particles stand in a row next to it. `particle(place)` is -1
+/// where there is none, `volume` of its particle weighs the rows.
 template <class ParticleAt, class VolumeOf>
-std::vector<std::pair<int, double>> heirs(int dim, const std::array<int, 3>& place, ParticleAt&& particle, VolumeOf&& volume) {
+std::vector<std::pair<int, double>> heirs(int dim, const std::array<int, 3>& place, ParticleAt&& particle,
+                                          VolumeOf&& volume) {
   std::vector<std::pair<int, double>> out;
   double sum = 0;
   const int levels = dim == 3 ? 1 : 0;
@@ -41,7 +48,8 @@ std::vector<std::pair<int, double>> heirs(int dim, const std::array<int, 3>& pla
     for (int j = -1; j <= 1; ++j)
       for (int i = -1; i <= 1; ++i) {
         if (i == 0 && j == 0 && k == 0) continue;
-        const int next = particle({place[0] + i, place[1] + j, place[2] + k}), second = particle({place[0] + 2 * i, place[1] + 2 * j, place[2] + 2 * k});
+        const int next = particle({place[0] + i, place[1] + j, place[2] + k}),
+                  second = particle({place[0] + 2 * i, place[1] + 2 * j, place[2] + 2 * k});
         if (next < 0 || second < 0) continue;
         const double weight = volume(next) * volume(second) / (i * i + j * j + k * k);
         out.push_back({next, 2 * weight});
@@ -52,7 +60,8 @@ std::vector<std::pair<int, double>> heirs(int dim, const std::array<int, 3>& pla
     for (int k = -reach * levels; k <= reach * levels; ++k)
       for (int j = -reach; j <= reach; ++j)
         for (int i = -reach; i <= reach; ++i)
-          if (const int near = particle({place[0] + i, place[1] + j, place[2] + k}); near >= 0) out.push_back({near, 1.0}), sum += 1;
+          if (const int near = particle({place[0] + i, place[1] + j, place[2] + k}); near >= 0)
+            out.push_back({near, 1.0}), sum += 1;
   for (auto& [heir, factor] : out) factor /= sum;
   return out;
 }

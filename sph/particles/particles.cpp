@@ -45,11 +45,13 @@ void give_volumes(Particles& p, const Shape& shape, MassRule rule, const std::ve
 }
 
 std::size_t slot_of(const Lattice& lattice, const std::array<int, 3>& at) {
-  return std::size_t(at[0]) + std::size_t(lattice.count[0]) * (std::size_t(at[1]) + std::size_t(lattice.count[1]) * std::size_t(at[2]));
+  return std::size_t(at[0]) + std::size_t(lattice.count[0]) *
+                                  (std::size_t(at[1]) + std::size_t(lattice.count[1]) * std::size_t(at[2]));
 }
 
 /// Mirrors a place beyond a symmetry plane back into the body.
-std::array<int, 3> folded(std::array<int, 3> at, const Lattice& lattice, const std::vector<MirrorPlane>& planes) {
+std::array<int, 3> folded(std::array<int, 3> at, const Lattice& lattice,
+                          const std::vector<MirrorPlane>& planes) {
   for (const MirrorPlane& m : planes) {
     const int side = m.upper ? lattice.count[m.axis] - 1 : 0;
     if (m.upper ? at[m.axis] > side : at[m.axis] < side) at[m.axis] = 2 * side - at[m.axis];
@@ -70,15 +72,17 @@ void hand_over(Particles& p, const PartialVolumes& volumes, const std::vector<Mi
           const auto place = folded(at, lattice, planes);
           return lattice.particle(place[0], place[1], place[2]);
         };
-        for (const auto& [heir, factor] : heirs(p.dim, {i, j, k}, particle, [&](int particle) { return p.volume[std::size_t(particle)]; }))
+        for (const auto& [heir, factor] :
+             heirs(p.dim, {i, j, k}, particle, [&](int particle) { return p.volume[std::size_t(particle)]; }))
           more[std::size_t(heir)] += factor * volumes.share[slot] * p.cell / p.part[std::size_t(heir)];
       }
   for (std::size_t i = 0; i < p.size(); ++i) p.volume[i] += more[i];
 }
 
-/// Numbers the particles slab by slab, a slab being eight of them thick along x; within it rows along x come first as before. Lists reach their
-/// neighbours one by one: those in the same slab or the one before are still in the processor's nearer caches, those of a whole long layer are not.
-/// And the eight particles of a block go on looking alike, so that their lists are of one length.
+/// Numbers the particles slab by slab, a slab being eight of them thick along x; within it rows along x come
+/// first as before. Lists reach their neighbours one by one: those in the same slab or the one before are
+/// still in the processor's nearer caches, those of a whole long layer are not. And the eight particles of a
+/// block go on looking alike, so that their lists are of one length.
 void number_by_slabs(Particles& p) {
   Lattice& lattice = p.lattice;
   std::vector<std::size_t> order(p.size());
@@ -94,7 +98,9 @@ void number_by_slabs(Particles& p) {
   reorder(p.position), reorder(p.volume), reorder(p.fraction), reorder(p.part), reorder(lattice.place);
   for (std::size_t i = 0; i < order.size(); ++i) {
     const auto& at = lattice.place[i];
-    lattice.at[std::size_t(at[0]) + std::size_t(lattice.count[0]) * (std::size_t(at[1]) + std::size_t(lattice.count[1]) * std::size_t(at[2]))] = int(i);
+    lattice.at[std::size_t(at[0]) +
+               std::size_t(lattice.count[0]) *
+                   (std::size_t(at[1]) + std::size_t(lattice.count[1]) * std::size_t(at[2]))] = int(i);
   }
 }
 
@@ -109,12 +115,15 @@ Lattice lattice_over(const Shape& shape, double spacing) {
     const double length = upper[a] - lattice.origin[a];
     const double cells = std::round(length / spacing);
     if (!(cells >= 1))
-      throw Refusal(fmt::format("a spacing of {:g} mm does not fit a body {:g} mm long along {}; the spacing must be at most that length",
-                                           spacing * 1e3, length * 1e3, "xyz"[a]));
+      throw Refusal(fmt::format(
+          "a spacing of {:g} mm does not fit a body {:g} mm long along {}; the spacing must be "
+          "at most that length",
+          spacing * 1e3, length * 1e3, "xyz"[a]));
     places *= cells + 1;
     if (places > 5e8)
-      throw std::runtime_error(fmt::format("a spacing of {:g} mm asks for more than {:.1e} particles (about {:.0f} GB); take a coarser one", spacing * 1e3,
-                                           places, places * 300e-9));
+      throw std::runtime_error(fmt::format(
+          "a spacing of {:g} mm asks for more than {:.1e} particles (about {:.0f} GB); take a coarser one",
+          spacing * 1e3, places, places * 300e-9));
     lattice.count[a] = int(cells) + 1;
     lattice.spacing[a] = length / cells;
   }
@@ -134,26 +143,32 @@ Particles fill(const Shape& shape, const Options& options, const std::vector<Mir
   }
   const bool partial = options.mass == MassRule::trapezoid;
   const PartialVolumes volumes = partial ? partial_volumes(shape, lattice, planes) : PartialVolumes{};
-  // Particles are the places in the body; with partial volumes those outside too that stand for a good part of a cell in it.
+  // Particles are the places in the body; with partial volumes those outside too that stand for a good part
+  // of a cell in it.
   const auto belongs = [&](std::size_t slot, const Point& x) {
     if (!partial) return shape.contains(x, 1e-6 * p.spacing);
     const double share = volumes.share[slot] / part_of(x, p.spacing, planes);
-    return share >= least_share_outside || (share > least_share_inside && shape.contains(x, 1e-6 * p.spacing));
+    return share >= least_share_outside ||
+           (share > least_share_inside && shape.contains(x, 1e-6 * p.spacing));
   };
   std::size_t slot = 0;
   for (int k = 0; k < lattice.count[2]; ++k)
     for (int j = 0; j < lattice.count[1]; ++j)
       for (int i = 0; i < lattice.count[0]; ++i, ++slot) {
-        const Point x{lattice.origin[0] + i * lattice.spacing[0], lattice.origin[1] + j * lattice.spacing[1], lattice.origin[2] + k * lattice.spacing[2]};
+        const Point x{lattice.origin[0] + i * lattice.spacing[0], lattice.origin[1] + j * lattice.spacing[1],
+                      lattice.origin[2] + k * lattice.spacing[2]};
         if (!belongs(slot, x)) continue;
         lattice.at[slot] = int(p.position.size());
         lattice.place.push_back({i, j, k});
         p.position.push_back(x);
       }
-  if (p.position.empty()) throw Refusal(fmt::format("no particle of spacing {:g} mm lies in the body; take a finer spacing", options.spacing * 1e3));
+  if (p.position.empty())
+    throw Refusal(fmt::format(
+        "no particle of spacing {:g} mm lies in the body; take a finer spacing", options.spacing * 1e3));
   give_volumes(p, shape, options.mass, planes);
   if (partial) {
-    for (std::size_t i = 0; i < p.size(); ++i) p.volume[i] = p.cell * (volumes.share[slot_of(lattice, lattice.place[i])] / p.part[i]);
+    for (std::size_t i = 0; i < p.size(); ++i)
+      p.volume[i] = p.cell * (volumes.share[slot_of(lattice, lattice.place[i])] / p.part[i]);
     hand_over(p, volumes, planes);
   }
   p.fraction.assign(p.size(), 1.0);
@@ -176,14 +191,16 @@ std::vector<MirrorPlane> mirror_planes(const Scene& scene, std::size_t body) {
   std::vector<MirrorPlane> planes;
   const Shape& shape = *scene.bodies[body].shape;
   for (const Symmetry& s : scene.symmetries)
-    if (s.place.body == body) planes.push_back({s.axis(), (s.upper() ? shape.upper() : shape.lower())[s.axis()], s.upper()});
+    if (s.place.body == body)
+      planes.push_back({s.axis(), (s.upper() ? shape.upper() : shape.lower())[s.axis()], s.upper()});
   return planes;
 }
 
 void set_kernel_volumes(Particles& p, KernelVolume kind) {
   p.kernel_volume = p.volume;
   if (kind == KernelVolume::own) return;
-  for (std::size_t i = 0; i < p.position.size(); ++i) p.kernel_volume[i] = p.volume[i] == p.cell * p.fraction[i] ? p.cell : p.volume[i] / p.fraction[i];
+  for (std::size_t i = 0; i < p.position.size(); ++i)
+    p.kernel_volume[i] = p.volume[i] == p.cell * p.fraction[i] ? p.cell : p.volume[i] / p.fraction[i];
 }
 
 void add_mirrored(Particles& p, const std::vector<MirrorPlane>& planes, double radius) {
@@ -194,8 +211,10 @@ void add_mirrored(Particles& p, const std::vector<MirrorPlane>& planes, double r
   for (const MirrorPlane& m : planes) {
     for (const MirrorPlane& other : planes)
       if (other.axis == m.axis && other.upper != m.upper && std::abs(other.at - m.at) < radius)
-        throw Refusal(fmt::format("the symmetry planes across {} are {:g} mm apart, nearer than the kernel's radius of {:g} mm; take a finer spacing",
-                                             "xyz"[m.axis], std::abs(other.at - m.at) * 1e3, radius * 1e3));
+        throw Refusal(fmt::format(
+            "the symmetry planes across {} are {:g} mm apart, nearer than the kernel's radius of "
+            "{:g} mm; take a finer spacing",
+            "xyz"[m.axis], std::abs(other.at - m.at) * 1e3, radius * 1e3));
     const int side = m.upper ? count[m.axis] - 1 : 0;
     const std::size_t known = p.position.size(), own = p.size();
     for (std::size_t i = 0; i < known; ++i) {
@@ -220,7 +239,8 @@ void add_mirrored(Particles& p, const std::vector<MirrorPlane>& planes, double r
   // The lattice grows by the layers beyond the planes.
   std::array<int, 3> first{}, last{count[0] - 1, count[1] - 1, count[2] - 1};
   for (const auto& place : lattice.place)
-    for (int a = 0; a < 3; ++a) first[a] = std::min(first[a], place[a]), last[a] = std::max(last[a], place[a]);
+    for (int a = 0; a < 3; ++a)
+      first[a] = std::min(first[a], place[a]), last[a] = std::max(last[a], place[a]);
   for (int a = 0; a < 3; ++a) {
     lattice.count[a] = last[a] - first[a] + 1;
     lattice.origin[a] += first[a] * lattice.spacing[a];
@@ -229,7 +249,9 @@ void add_mirrored(Particles& p, const std::vector<MirrorPlane>& planes, double r
   for (std::size_t i = 0; i < lattice.place.size(); ++i) {
     auto& place = lattice.place[i];
     for (int a = 0; a < 3; ++a) place[a] -= first[a];
-    lattice.at[std::size_t(place[0]) + std::size_t(lattice.count[0]) * (std::size_t(place[1]) + std::size_t(lattice.count[1]) * place[2])] = int(i);
+    lattice.at[std::size_t(place[0]) +
+               std::size_t(lattice.count[0]) *
+                   (std::size_t(place[1]) + std::size_t(lattice.count[1]) * place[2])] = int(i);
   }
 }
 

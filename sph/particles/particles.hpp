@@ -1,5 +1,6 @@
 #pragma once
-// A body filled with particles: a lattice that starts on the body's surface, rows along x first, so that neighbours are near in memory; jittered: in slabs (number_by_slabs).
+// A body filled with particles: a lattice that starts on the body's surface, rows along x first, so that
+// neighbours are near in memory; jittered: in slabs (number_by_slabs).
 
 #include <array>
 #include <optional>
@@ -11,7 +12,8 @@
 
 namespace femsph::sph {
 
-/// Where the particles sit in a regular grid: `at` holds the particle of each grid place, -1 where the body is not.
+/// Where the particles sit in a regular grid: `at` holds the particle of each grid place, -1 where the body
+/// is not.
 struct Lattice {
   std::array<int, 3> count{1, 1, 1};
   Point spacing{};  ///< m, per axis
@@ -24,7 +26,8 @@ struct Lattice {
   }
 };
 
-/// A particle beyond a symmetry plane: particle `of` of the body, with the components of vectors times `sign`.
+/// A particle beyond a symmetry plane: particle `of` of the body, with the components of vectors times
+/// `sign`.
 struct Mirrored {
   std::size_t of;
   std::array<double, 3> sign;
@@ -40,19 +43,23 @@ std::vector<MirrorPlane> mirror_planes(const Scene& scene, std::size_t body);
 
 struct Particles {
   int dim = 2;
-  double spacing = 0;               ///< d, the smallest over the axes, m
-  double cell = 0;                  ///< d^dim, m^dim
-  std::vector<Point> position;      ///< m; the body's own particles, then the mirrored ones
-  std::vector<double> volume;       ///< V_i by the mass rule, m^dim (an area in 2D, without the thickness)
-  std::vector<double> fraction;     ///< f_i, share of the full angle that the body (with its images) fills there: 1 inside, 1/2 on a face, 1/4 on an edge
-  std::vector<double> kernel_volume;  ///< of a neighbour in kernel sums, m^dim: V_i, or V_i / f_i (set_kernel_volumes)
-  std::vector<double> part;         ///< of V_i that belongs to the body: 1/2 on a symmetry plane, 1/4 on two, else 1
+  double spacing = 0;            ///< d, the smallest over the axes, m
+  double cell = 0;               ///< d^dim, m^dim
+  std::vector<Point> position;   ///< m; the body's own particles, then the mirrored ones
+  std::vector<double> volume;    ///< V_i by the mass rule, m^dim (an area in 2D, without the thickness)
+  std::vector<double> fraction;  ///< f_i, share of the full angle that the body (with its images) fills
+                                 ///< there: 1 inside, 1/2 on a face, 1/4 on an edge
+  std::vector<double>
+      kernel_volume;         ///< of a neighbour in kernel sums, m^dim: V_i, or V_i / f_i (set_kernel_volumes)
+  std::vector<double> part;  ///< of V_i that belongs to the body: 1/2 on a symmetry plane, 1/4 on two, else 1
   std::vector<Mirrored> mirrored;   ///< the last of `position`
   std::vector<MirrorPlane> planes;  ///< that these are mirrored in
   Lattice lattice;
-  std::vector<std::array<int, 8>> cells;  ///< of a fitted body in place of the lattice: the particles are their corners (lexicographic)
-  std::string note;                 ///< what the user should know of the filling; empty: nothing
-  bool regular = true;              ///< false once jittered: the lattice then only says which particles are where; and when fitted
+  std::vector<std::array<int, 8>>
+      cells;  ///< of a fitted body in place of the lattice: the particles are their corners (lexicographic)
+  std::string note;  ///< what the user should know of the filling; empty: nothing
+  bool regular =
+      true;  ///< false once jittered: the lattice then only says which particles are where; and when fitted
   std::size_t size() const { return position.size() - mirrored.size(); }  ///< of the body's own
   double own_volume(std::size_t i) const { return volume[i] * part[i]; }
 };
@@ -62,21 +69,25 @@ struct Particles {
 /// Volumes are those in the body with its mirror images: beyond a symmetry plane it goes on.
 Particles fill(const Shape& shape, const Options& options, const std::vector<MirrorPlane>& planes = {});
 
-/// The particles of a shape that has cells, or cuts itself into some (meshes, rings, cylinders, ..), are the corners of these, cut to the spacing:
-/// those on a side lie on it. Volumes are what the cells' shape functions integrate to (`trapezoid`), or as in fill().
-/// Empty if the cells do not suit the spacing; then `why`.
-std::optional<Particles> fill_fitted(const Shape& shape, const Options& options, const std::vector<MirrorPlane>& planes, std::string& why);
+/// The particles of a shape that has cells, or cuts itself into some (meshes, rings, cylinders, ..), are the
+/// corners of these, cut to the spacing: those on a side lie on it. Volumes are what the cells' shape
+/// functions integrate to (`trapezoid`), or as in fill(). Empty if the cells do not suit the spacing; then
+/// `why`.
+std::optional<Particles> fill_fitted(const Shape& shape, const Options& options,
+                                     const std::vector<MirrorPlane>& planes, std::string& why);
 /// The shape has cells or cuts itself into some, and the options do not ask for the lattice.
 bool is_fitted(const Shape& shape, const Options& options);
-/// As fitted as the shape allows, else on the lattice; its `note` says why if that is not what the options ask for.
+/// As fitted as the shape allows, else on the lattice; its `note` says why if that is not what the options
+/// ask for.
 Particles fill_best(const Shape& shape, const Options& options, const std::vector<MirrorPlane>& planes = {});
 
-/// A body's own cells cut into pieces of about `spacing`, conformingly: opposite edges of a cell have one number of pieces, and so on from cell to
-/// cell. Empty if some piece's edge would then be outside of what one smoothing length suits; then `why`.
+/// A body's own cells cut into pieces of about `spacing`, conformingly: opposite edges of a cell have one
+/// number of pieces, and so on from cell to cell. Empty if some piece's edge would then be outside of what
+/// one smoothing length suits; then `why`.
 std::optional<CellMesh> cut_to_spacing(const CellMesh& mesh, double spacing, std::string& why);
 
-/// Whole cells V_i / f_i make the derivative of the layer below a surface central: with trapezoid volumes the kernel sums then satisfy summation by
-/// parts, and a uniform stress needs its traction on the surface alone.
+/// Whole cells V_i / f_i make the derivative of the layer below a surface central: with trapezoid volumes the
+/// kernel sums then satisfy summation by parts, and a uniform stress needs its traction on the surface alone.
 void set_kernel_volumes(Particles& particles, KernelVolume kind);
 
 /// Adds the mirror images of the particles within `radius` of each plane, corners of two planes included.

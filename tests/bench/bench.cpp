@@ -1,4 +1,5 @@
-// Times of every kernel and effect, as ratios too. README.md in this folder says what the columns are; tests/bench/run writes it.
+// Times of every kernel and effect, as ratios too. README.md in this folder says what the columns are;
+// tests/bench/run writes it.
 //   bench [--markdown FILE] [--quick]      the tables; other options go to Google Benchmark
 //   bench --profile STEPS [--markdown FILE]   where the time of whole runs goes
 
@@ -25,10 +26,13 @@ class Collector : public benchmark::ConsoleReporter {
   void ReportRuns(const std::vector<Run>& runs) override {
     ConsoleReporter::ReportRuns(runs);
     for (const Run& r : runs) {
-      if (r.error_occurred || (r.run_type == Run::RT_Aggregate && r.aggregate_name != "median") || (r.repetitions > 1 && r.run_type != Run::RT_Aggregate)) continue;
+      if (r.error_occurred || (r.run_type == Run::RT_Aggregate && r.aggregate_name != "median") ||
+          (r.repetitions > 1 && r.run_type != Run::RT_Aggregate))
+        continue;
       const std::string name = r.run_name.function_name;
       const std::size_t colon = name.find(": ");
-      Line line{name.substr(0, colon), name.substr(colon + 2), r.real_accumulated_time / double(r.iterations), {}};
+      Line line{
+          name.substr(0, colon), name.substr(colon + 2), r.real_accumulated_time / double(r.iterations), {}};
       for (const auto& [key, value] : r.counters) line.counters[key] = value;
       lines.push_back(line);
     }
@@ -38,7 +42,9 @@ class Collector : public benchmark::ConsoleReporter {
 template <class F>
 void add(const std::string& section, const std::string& name, bool quick, F&& run, int iterations = 40) {
   auto* b = benchmark::RegisterBenchmark((section + ": " + name).c_str(), std::forward<F>(run));
-  b->Unit(benchmark::kMicrosecond)->UseManualTime()->Iterations(quick ? std::min(iterations, 20) : iterations);
+  b->Unit(benchmark::kMicrosecond)
+      ->UseManualTime()
+      ->Iterations(quick ? std::min(iterations, 20) : iterations);
   if (!quick) b->Repetitions(3)->ReportAggregatesOnly(true);
 }
 
@@ -78,13 +84,16 @@ int main(int argc, char** argv) {
     for (const Case& c : targets()) {
       aims[c.name] = c.target;
       add("target", c.name, quick, [=](benchmark::State& s) { step(s, c); });
-      if (c.yield != Yield::tenth && !c.moving && !quick) add("threads", c.name, true, [=](benchmark::State& s) { two_threads(s, c); }, 10);
+      if (c.yield != Yield::tenth && !c.moving && !quick)
+        add(
+            "threads", c.name, true, [=](benchmark::State& s) { two_threads(s, c); }, 10);
     }
     if (!quick) {
       for (const Case& c : methods()) add("method", c.name, quick, [=](benchmark::State& s) { step(s, c); });
       for (const Case& c : effects()) {
         if (!c.without.empty()) without[c.name] = c.without;
-        add("effect", c.name, quick, [=](benchmark::State& s) { march_step(s, c); }, 1);
+        add(
+            "effect", c.name, quick, [=](benchmark::State& s) { march_step(s, c); }, 1);
       }
     }
     Collector collector;

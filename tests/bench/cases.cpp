@@ -33,8 +33,10 @@ Scene scene_of(const Case& c, double& spacing, double pull) {
   s.plane = c.dim == 3 ? Plane::none : c.plane;
   s.large_motion = c.large_motion;
   s.materials["steel"] = Material{"steel", 2.1e11, 0.3, 7850};
-  if (c.yield != Yield::elastic) s.materials.at("steel").plasticity = Plasticity{c.yield == Yield::idle ? 300e9 : 300e6, 2.1e9};
-  s.bodies.push_back({"beam", std::make_shared<Box>(c.dim, Point{}, Point{1, 0.1, c.dim == 3 ? 0.1 : 0.0}), c.dim == 2 ? 0.1 : 1.0, "steel"});
+  if (c.yield != Yield::elastic)
+    s.materials.at("steel").plasticity = Plasticity{c.yield == Yield::idle ? 300e9 : 300e6, 2.1e9};
+  s.bodies.push_back({"beam", std::make_shared<Box>(c.dim, Point{}, Point{1, 0.1, c.dim == 3 ? 0.1 : 0.0}),
+                      c.dim == 2 ? 0.1 : 1.0, "steel"});
   spacing = 0.1 / std::round(c.dim == 2 ? std::sqrt(c.units / 10) : std::cbrt(c.units / 10));
   s.supports.push_back({side("x-"), {true, true, true}});
   if (pull > 0) {
@@ -58,15 +60,19 @@ Scene scene_of(const Case& c, double& spacing, double pull) {
 std::vector<Case> targets() {
   const auto strain = Plane::strain, stress = Plane::stress;
   std::vector<Case> all;
-  const auto add = [&](std::string name, int dim, compare::Method m, double target) { all.push_back({std::move(name), dim, std::move(m), target}); };
-  const auto plastic = [&](const std::string& name, int dim, const compare::Method& m, double target, bool large = true) {
-    for (const Yield yield : {Yield::all, Yield::tenth})
-      for (const Plane plane : {strain, stress}) {
-        if (dim == 3 && plane == stress) continue;
-        const char* in = dim == 3 ? "" : plane == strain ? ", plane strain" : ", plane stress";
-        all.push_back({name + in + (yield == Yield::all ? ", all yield" : ", a tenth yields"), dim, m, target, yield, large, plane});
-      }
+  const auto add = [&](std::string name, int dim, compare::Method m, double target) {
+    all.push_back({std::move(name), dim, std::move(m), target});
   };
+  const auto plastic =
+      [&](const std::string& name, int dim, const compare::Method& m, double target, bool large = true) {
+        for (const Yield yield : {Yield::all, Yield::tenth})
+          for (const Plane plane : {strain, stress}) {
+            if (dim == 3 && plane == stress) continue;
+            const char* in = dim == 3 ? "" : plane == strain ? ", plane strain" : ", plane stress";
+            all.push_back({name + in + (yield == Yield::all ? ", all yield" : ", a tenth yields"), dim, m,
+                           target, yield, large, plane});
+          }
+      };
   add("2D full elastic", 2, fem("fem-full"), 25);
   plastic("2D full J2 finite rotation", 2, fem("fem-full"), 40);
   plastic("2D one-point J2 + stabilization", 2, fem("fem-one-point"), 20);
@@ -84,7 +90,8 @@ std::vector<Case> targets() {
   plastic("3D corrected SPH, irregular, 56 neighbours", 3, sph("sph-corrected", 1.2, irregular), 300, false);
   add("2D classic SPH with viscosity, fixed, 8 neighbours", 2, sph("sph-classic-share", 1, viscous), 40);
   add("2D classic SPH with viscosity, fixed, 20 neighbours", 2, sph("sph-classic-share", 1.2, viscous), 80);
-  Case moving{"2D classic SPH, updated, 20 neighbours, search included", 2, sph("sph-classic-share", 1.2), 250};
+  Case moving{
+      "2D classic SPH, updated, 20 neighbours, search included", 2, sph("sph-classic-share", 1.2), 250};
   moving.large_motion = moving.moving = true;
   all.push_back(moving);
   moving.name = "2D classic SPH with viscosity, updated, 20 neighbours, search included";
@@ -99,7 +106,8 @@ std::vector<Case> targets() {
 std::vector<Case> methods() {
   std::vector<Case> all;
   for (const int dim : {2, 3})
-    for (const compare::Method& m : compare::methods()) all.push_back({fmt::format("{}D {}", dim, m.name), dim, m});
+    for (const compare::Method& m : compare::methods())
+      all.push_back({fmt::format("{}D {}", dim, m.name), dim, m});
   return all;
 }
 
@@ -117,24 +125,38 @@ std::vector<Case> effects() {
         change(c);
         all.push_back(c);
       };
-      const auto scene = [&](const std::string& effect, std::function<void(Scene&)> change) { add(effect, [&](Case& c) { c.change = change; }); };
+      const auto scene = [&](const std::string& effect, std::function<void(Scene&)> change) {
+        add(effect, [&](Case& c) { c.change = change; });
+      };
       add("large motion", [](Case& c) { c.large_motion = true; });
       add("plasticity that never yields", [](Case& c) { c.yield = Yield::idle; });
       add("plasticity, all yield", [](Case& c) { c.yield = Yield::all; });
       if (!std::strcmp(name, "sph-corrected")) {
         add("no hourglass control", [](Case& c) { std::get<sph::Options>(c.method.options).hourglass = 0; });
-        add("neighbour lists instead of shared stencils", [](Case& c) { std::get<sph::Options>(c.method.options).force_lists = true; });
+        add("neighbour lists instead of shared stencils",
+            [](Case& c) { std::get<sph::Options>(c.method.options).force_lists = true; });
       }
       if (!std::strcmp(name, "fem-one-point"))
-        add("Flanagan and Belytschko's control instead", [](Case& c) { std::get<fem::Options>(c.method.options).hourglass = 0.05; });
+        add("Flanagan and Belytschko's control instead",
+            [](Case& c) { std::get<fem::Options>(c.method.options).hourglass = 0.05; });
       if (!std::strcmp(name, "fem-one-point")) continue;
       scene("damping", [](Scene& s) { s.damping = 100; });
       scene("gravity", [](Scene& s) { s.gravity = Point{0, -9.81, 0}; });
       scene("a symmetry plane", [=](Scene& s) { s.symmetries.push_back({side("y-")}); });
-      scene("a bar", [](Scene& s) { s.bars.push_back({"bar", 0, {0, 0.05, s.dim() == 3 ? 0.05 : 0}, {1, 0.05, s.dim() == 3 ? 0.05 : 0}, 1e-4, "steel"}); });
+      scene("a bar", [](Scene& s) {
+        s.bars.push_back({"bar",
+                          0,
+                          {0, 0.05, s.dim() == 3 ? 0.05 : 0},
+                          {1, 0.05, s.dim() == 3 ? 0.05 : 0},
+                          1e-4,
+                          "steel"});
+      });
       scene("a support on its mean", [](Scene& s) { s.supports[0].mean = true; });
       scene("contact with a rigid block", [](Scene& s) {
-        Body block{"block", std::make_shared<Box>(s.dim(), Point{0.4, 0.1, 0}, Point{0.2, 0.1, s.dim() == 3 ? 0.1 : 0.0}), s.dim() == 2 ? 0.1 : 1.0, ""};
+        Body block{
+            "block",
+            std::make_shared<Box>(s.dim(), Point{0.4, 0.1, 0}, Point{0.2, 0.1, s.dim() == 3 ? 0.1 : 0.0}),
+            s.dim() == 2 ? 0.1 : 1.0, ""};
         block.rigid = true;
         block.mass = 10;
         s.bodies.push_back(block);

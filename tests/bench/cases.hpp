@@ -23,11 +23,11 @@ struct Case {
   double units = 1e5;           ///< about
   std::string without{};        ///< of an effect: the case that lacks it
   std::function<void(Scene&)> change{};
-  bool moving = false;          ///< particles move through each other's supports: neighbours are searched again
+  bool moving = false;  ///< particles move through each other's supports: neighbours are searched again
 };
 
-/// A steel body of 10 x 1 (x 1), held at x-, and the spacing that gives `units` cells. It is loaded across at x+, or, with `pull` (strain a
-/// second), stretched along x, uniformly from the first step on.
+/// A steel body of 10 x 1 (x 1), held at x-, and the spacing that gives `units` cells. It is loaded across at
+/// x+, or, with `pull` (strain a second), stretched along x, uniformly from the first step on.
 Scene scene_of(const Case& c, double& spacing, double pull = 0);
 
 std::vector<Case> targets();  ///< with a target each

@@ -1,12 +1,13 @@
-// Counts instructions, under valgrind --tool=callgrind, of the same steps done in different ways. tests/bench/instructions runs it and reads
-// the counts. Built for x86-64-v3: valgrind does not know AVX-512.
+// Counts instructions, under valgrind --tool=callgrind, of the same steps done in different ways.
+// tests/bench/instructions runs it and reads the counts. Built for x86-64-v3: valgrind does not know AVX-512.
 //
-//   bare    the discretization's internal force and a leap-frog of ten lines, here: nothing else is there to cost anything
-//   march   the product's march of a scene that names no effect
+//   bare    the discretization's internal force and a leap-frog of ten lines, here: nothing else is there to
+//   cost anything march   the product's march of a scene that names no effect
 //   .. off  the same with an effect declared, and declared to do nothing
 //   .. on   the same with the effect: the counter sees what there is
 //
-// The 15 steps counted are some in which the march does not look for trouble (it does so in every 25th) nor samples.
+// The 15 steps counted are some in which the march does not look for trouble (it does so in every 25th) nor
+// samples.
 
 #include <valgrind/callgrind.h>
 
@@ -39,7 +40,8 @@ void note(long step, const std::string& label) {
 }
 
 /// A cantilever of steel; `more` are further lines, `material` and `model` those of their tables.
-Scene scene_with(const std::string& more = "", const std::string& material = "", const std::string& model = "") {
+Scene scene_with(const std::string& more = "", const std::string& material = "",
+                 const std::string& model = "") {
   Scene s = parse_scene(R"(title = "A cantilever"
 [bodies.beam]
 shape = "box"
@@ -58,11 +60,13 @@ plane = "stress"
 young = "210 GPa"
 poisson = 0.3
 density = "7850 kg/m^3"
-)" + (material.empty() ? "law = \"elastic\"" : material) + R"(
+)" + (material.empty() ? "law = \"elastic\"" : material) +
+                            R"(
 [[supports]]
 at = "x-"
 fix = ["x", "y"]
-)" + more, "instructions.toml");
+)" + more,
+                        "instructions.toml");
   s.samples = s.snapshots = 0;
   return s;
 }
@@ -81,7 +85,8 @@ double march(const std::string& label, const Make& make, Scene scene) {
 void bare(const std::string& label, const Make& make, const Scene& scene, double dt) {
   const auto body = make(scene);
   const Layout& at = body->layout();
-  AlignedVector<double> u(at.size, 0.0), v(at.size, 0.0), f(at.size, 0.0), load(at.size, 0.0), inverse_mass(at.size, 0.0);
+  AlignedVector<double> u(at.size, 0.0), v(at.size, 0.0), f(at.size, 0.0), load(at.size, 0.0),
+      inverse_mass(at.size, 0.0);
   for (std::size_t i = 0; i < at.points; ++i)
     for (int c = 0; c < at.dim; ++c) inverse_mass[at.at(i, c)] = 1 / body->mass()[i];
   for (const Weight& w : body->points_of(scene.supports[0].place))
@@ -104,7 +109,9 @@ void bare(const std::string& label, const Make& make, const Scene& scene, double
 void all_of(const std::string& method, const Make& make) {
   const Scene plain = scene_with();
   bare(method + ": bare", make, plain, march(method + ": march", make, plain));
-  const auto with = [&](const std::string& label, const Scene& scene) { march(method + ": " + label, make, scene); };
+  const auto with = [&](const std::string& label, const Scene& scene) {
+    march(method + ": " + label, make, scene);
+  };
   with("gravity off", scene_with("[gravity]\nacceleration = [\"0 m/s^2\", \"0 m/s^2\"]"));
   with("gravity on", scene_with("[gravity]\nacceleration = [\"0 m/s^2\", \"-9.81 m/s^2\"]"));
   with("moved support off", scene_with("velocity = [\"0 m/s\", \"0 m/s\"]"));
@@ -117,8 +124,10 @@ void all_of(const std::string& method, const Make& make) {
   with("large motion on", scene_with("", "", "motion = \"large\""));
   const std::string plastic = "law = \"plastic\"\nyield = \"300 GPa\"\ntangent_ratio = 0.01\n";
   with("plasticity on, nothing yields", scene_with("", plastic));
-  with("tension rule off (plasticity on)", scene_with("", plastic + "tension = \"none\"\nintegration = \"return\""));
-  with("tension rule on (plasticity on)", scene_with("", plastic + "tension = \"principal\"\ntensile_strength = \"200 GPa\""));
+  with("tension rule off (plasticity on)",
+       scene_with("", plastic + "tension = \"none\"\nintegration = \"return\""));
+  with("tension rule on (plasticity on)",
+       scene_with("", plastic + "tension = \"principal\"\ntensile_strength = \"200 GPa\""));
 }
 
 }  // namespace

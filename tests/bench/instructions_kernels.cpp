@@ -1,4 +1,5 @@
-// The kernels that instructions.cpp counts, and no others: the rooms' own templates, chosen by hand so that this second build stays short.
+// The kernels that instructions.cpp counts, and no others: the rooms' own templates, chosen by hand so that
+// this second build stays short.
 
 #include <stdexcept>
 
@@ -21,7 +22,8 @@ template <class ElementType>
 std::unique_ptr<CellLoop> plane_loop(const LoopInput& in) {
   if (in.mesh->dim != 2 || in.scalar_kernel) absent();
   if (const auto* elastic = std::get_if<LinearElastic>(&in.law)) {
-    if (in.large_motion) return std::make_unique<Loop<ElementType, FiniteRotation, LinearElastic, 2, Pack>>(in, *elastic);
+    if (in.large_motion)
+      return std::make_unique<Loop<ElementType, FiniteRotation, LinearElastic, 2, Pack>>(in, *elastic);
     return std::make_unique<Loop<ElementType, SmallStrain, LinearElastic, 2, Pack>>(in, *elastic);
   }
   if (in.large_motion) absent();
@@ -38,18 +40,23 @@ std::unique_ptr<CellLoop> make_assumed_strain_loop(const LoopInput&) { absent();
 namespace sph {
 
 template <int dim>
-std::unique_ptr<Discretization> total_lagrangian(const Scene& scene, std::size_t body, const Options& options, Particles particles, const Kernel& kernel) {
+std::unique_ptr<Discretization> total_lagrangian(const Scene& scene, std::size_t body, const Options& options,
+                                                 Particles particles, const Kernel& kernel) {
   if constexpr (dim == 2) {
-    const auto with = [&]<class Kinematics, Correction correction>(const auto& law) -> std::unique_ptr<Discretization> {
+    const auto with =
+        [&]<class Kinematics, Correction correction>(const auto& law) -> std::unique_ptr<Discretization> {
       using LawType = std::decay_t<decltype(law)>;
-      return std::make_unique<TotalLagrangian<2, LatticeStencils<2>, Kinematics, LawType, correction>>(scene, body, options, std::move(particles), kernel, law);
+      return std::make_unique<TotalLagrangian<2, LatticeStencils<2>, Kinematics, LawType, correction>>(
+          scene, body, options, std::move(particles), kernel, law);
     };
     const Law law = scene.material_of(scene.bodies[body]).law(scene.plane);
     const bool classic = options.formulation == Formulation::classic, hourglass = options.hourglass > 0;
     if (const auto* elastic = std::get_if<LinearElastic>(&law)) {
       if (classic) return with.template operator()<SmallStrain, Correction::none>(*elastic);
-      if (scene.large_motion) return with.template operator()<FiniteRotation, Correction::matrix_and_hourglass>(*elastic);
-      return hourglass ? with.template operator()<SmallStrain, Correction::matrix_and_hourglass>(*elastic) : with.template operator()<SmallStrain, Correction::matrix>(*elastic);
+      if (scene.large_motion)
+        return with.template operator()<FiniteRotation, Correction::matrix_and_hourglass>(*elastic);
+      return hourglass ? with.template operator()<SmallStrain, Correction::matrix_and_hourglass>(*elastic)
+                       : with.template operator()<SmallStrain, Correction::matrix>(*elastic);
     }
     if (classic || scene.large_motion || !hourglass) absent();
     return with.template operator()<SmallStrain, Correction::matrix_and_hourglass>(std::get<Plastic>(law));
@@ -58,12 +65,19 @@ std::unique_ptr<Discretization> total_lagrangian(const Scene& scene, std::size_t
   }
 }
 template <int dim>
-std::unique_ptr<Discretization> updated_lagrangian(const Scene&, std::size_t, const Options&, Particles, const Kernel&) { absent(); }
+std::unique_ptr<Discretization> updated_lagrangian(const Scene&, std::size_t, const Options&, Particles,
+                                                   const Kernel&) {
+  absent();
+}
 
-template std::unique_ptr<Discretization> total_lagrangian<2>(const Scene&, std::size_t, const Options&, Particles, const Kernel&);
-template std::unique_ptr<Discretization> total_lagrangian<3>(const Scene&, std::size_t, const Options&, Particles, const Kernel&);
-template std::unique_ptr<Discretization> updated_lagrangian<2>(const Scene&, std::size_t, const Options&, Particles, const Kernel&);
-template std::unique_ptr<Discretization> updated_lagrangian<3>(const Scene&, std::size_t, const Options&, Particles, const Kernel&);
+template std::unique_ptr<Discretization> total_lagrangian<2>(const Scene&, std::size_t, const Options&,
+                                                             Particles, const Kernel&);
+template std::unique_ptr<Discretization> total_lagrangian<3>(const Scene&, std::size_t, const Options&,
+                                                             Particles, const Kernel&);
+template std::unique_ptr<Discretization> updated_lagrangian<2>(const Scene&, std::size_t, const Options&,
+                                                               Particles, const Kernel&);
+template std::unique_ptr<Discretization> updated_lagrangian<3>(const Scene&, std::size_t, const Options&,
+                                                               Particles, const Kernel&);
 
 }  // namespace sph
 }  // namespace femsph

@@ -6,9 +6,9 @@
 #include <numeric>
 
 #include "model/motion/march.hpp"
+#include "model/motion/price.hpp"
 #include "model/numerics/array.hpp"
 #include "model/numerics/parallel.hpp"
-#include "model/motion/price.hpp"
 
 namespace femsph::bench {
 
@@ -23,21 +23,31 @@ std::unique_ptr<Discretization> discretize(const Case& c, const Scene& scene, do
 
 /// A discretization and the motion it is put through:
 ///   elastic, idle   noise of 1e-6 of the spacing, always the same
-///   tenth, all      a stretch along x of 1 % + 2e-5 a step, with a tenth of that as noise; of the first tenth of the body, or of all of it
-///   moving          waves, the fastest particle 0.01 d a step (0.02 of the wave speed), five spacings far
+///   tenth, all      a stretch along x of 1 % + 2e-5 a step, with a tenth of that as noise; of the first
+///   tenth of the body, or of all of it moving          waves, the fastest particle 0.01 d a step (0.02 of
+///   the wave speed), five spacings far
 class Bench {
  public:
-  Bench(const Case& c, bool oracle) : case_(c), scene_(scene_of(c, spacing_)), body_(discretize(c, scene_, spacing_, oracle)), at_(body_->layout()) {
-    for (AlignedVector<double>* x : {&shape_, &u_, &v_, &f_, &drift_, &kick_, &weight_}) x->assign(at_.size, 0.0);
+  Bench(const Case& c, bool oracle)
+      : case_(c),
+        scene_(scene_of(c, spacing_)),
+        body_(discretize(c, scene_, spacing_, oracle)),
+        at_(body_->layout()) {
+    for (AlignedVector<double>* x : {&shape_, &u_, &v_, &f_, &drift_, &kick_, &weight_})
+      x->assign(at_.size, 0.0);
     if (body_->has_viscosity()) viscous_.assign(at_.size, 0.0);
     for (std::size_t i = 0; i < at_.points; ++i) {
       const Point X = body_->position(i);
       for (int k = 0; k < c.dim; ++k) {
-        const double noise = spacing_ * std::sin(0.7 * double(i) + k), reach = c.yield == Yield::tenth ? 0.1 : 1;
+        const double noise = spacing_ * std::sin(0.7 * double(i) + k),
+                     reach = c.yield == Yield::tenth ? 0.1 : 1;
         const bool pulled = X[0] <= reach;
-        if (c.moving) shape_[at_.at(i, k)] = 5 * spacing_ * std::sin(60 * X[std::size_t(k + 1) % std::size_t(c.dim)]);
-        else if (yields()) shape_[at_.at(i, k)] = (k == 0 ? std::min(X[0], reach) : 0.0) + (pulled ? 0.1 * noise : 0.0);
-        else shape_[at_.at(i, k)] = noise;
+        if (c.moving)
+          shape_[at_.at(i, k)] = 5 * spacing_ * std::sin(60 * X[std::size_t(k + 1) % std::size_t(c.dim)]);
+        else if (yields())
+          shape_[at_.at(i, k)] = (k == 0 ? std::min(X[0], reach) : 0.0) + (pulled ? 0.1 * noise : 0.0);
+        else
+          shape_[at_.at(i, k)] = noise;
         weight_[at_.at(i, k)] = 1 / body_->mass()[i];
       }
     }
@@ -50,13 +60,17 @@ class Bench {
     const double before = factor(), dt = step_length;
     ++n_;
     const double now = factor();
-    for (std::size_t i = 0; i < at_.size; ++i) u_[i] = now * shape_[i], v_[i] = (now - before) / dt * shape_[i];
+    for (std::size_t i = 0; i < at_.size; ++i)
+      u_[i] = now * shape_[i], v_[i] = (now - before) / dt * shape_[i];
   }
-  void force() { body_->internal_force(u_.data(), v_.data(), n_ > 1 ? step_length : 0, f_.data(), viscous_.empty() ? nullptr : viscous_.data()); }
+  void force() {
+    body_->internal_force(u_.data(), v_.data(), n_ > 1 ? step_length : 0, f_.data(),
+                          viscous_.empty() ? nullptr : viscous_.data());
+  }
   /// What the march does then, on arrays of its own, so that the motion stays as prescribed.
   void kick_and_drift() {
-    double *__restrict u = drift_.data(), *__restrict v = kick_.data();
-    const double *__restrict f = f_.data(), *__restrict w = weight_.data();
+    double* __restrict u = drift_.data(), * __restrict v = kick_.data();
+    const double* __restrict f = f_.data(), * __restrict w = weight_.data();
     parallel_for(at_.size, 512, [=](std::size_t begin, std::size_t end) {
       for (std::size_t i = begin; i < end; ++i) {
         v[i] += step_length * w[i] * f[i];
@@ -153,8 +167,10 @@ void march_step(benchmark::State& state, const Case& c) {
   double spacing = 0;
   Scene scene = scene_of(c, spacing);
   if (c.yield == Yield::all) {
-    const double wave_speed = std::visit([](const auto& law) { return law.wave_speed(); }, scene.materials.at("steel").law(scene.plane));
-    scene = scene_of(c, spacing, 1e-4 * wave_speed / spacing);  // a strain of about 1e-4 a step: all yields after 20
+    const double wave_speed = std::visit(
+        [](const auto& law) { return law.wave_speed(); }, scene.materials.at("steel").law(scene.plane));
+    scene = scene_of(c, spacing,
+                     1e-4 * wave_speed / spacing);  // a strain of about 1e-4 a step: all yields after 20
   }
   for (auto _ : state) {
     constexpr long first = 30, last = 80;  // two of these steps are watched for trouble

@@ -7,8 +7,9 @@
 
 namespace femsph::bench {
 
-/// One step of a motion that is prescribed: internal force (gradient, law, divergence), kick and drift. Counters: units; bytes, held for a
-/// unit; force, s of the step that the internal force takes; yielding, share of the points that yield in a step.
+/// One step of a motion that is prescribed: internal force (gradient, law, divergence), kick and drift.
+/// Counters: units; bytes, held for a unit; force, s of the step that the internal force takes; yielding,
+/// share of the points that yield in a step.
 void step(benchmark::State& state, const Case& c, bool oracle = false);
 
 /// Wall time of a step on one thread over that on two, measured in turns, the best of each.

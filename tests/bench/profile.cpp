@@ -13,14 +13,17 @@ namespace femsph::bench {
 std::string profile(int steps) {
   set_threads(1);
   std::string text = fmt::format("{} steps, 400 samples, 20 snapshots; shares of the wall time.\n\n", steps);
-  const std::vector<std::string> phases{"setup", "critical step", "neighbour search", "watch", "sampling", "fields"};
+  const std::vector<std::string> phases{
+      "setup", "critical step", "neighbour search", "watch", "sampling", "fields"};
   text += "| method | units | seconds | ns a unit and step |";
   for (const std::string& p : phases) text += " " + p + " |";
   text += "\n|---|---:|---:|---:|";
   for (std::size_t k = 0; k < phases.size(); ++k) text += "---:|";
   text += "\n";
-  const std::filesystem::path folder = std::filesystem::temp_directory_path() / fmt::format("femsph-bench-{}", ::getpid());
-  for (const char* name : {"fem-full", "fem-one-point", "fem-assumed-strain", "sph-corrected", "sph-classic-share"}) {
+  const std::filesystem::path folder = std::filesystem::temp_directory_path() /
+                                       fmt::format("femsph-bench-{}", ::getpid());
+  for (const char* name :
+       {"fem-full", "fem-one-point", "fem-assumed-strain", "sph-corrected", "sph-classic-share"}) {
     const Case c{name, 2, compare::method_named(name)};
     double spacing = 0;
     Scene scene = scene_of(c, spacing);
@@ -40,8 +43,10 @@ std::string profile(int steps) {
       return 0.0;
     };
     const double whole = price.wall + share("setup") + share("critical step");
-    text += fmt::format("| {} | {} | {:.1f} | {:.3g} |", name, price.units, whole, 1e9 * price.cpu / double(price.steps) / double(price.units));
-    for (const std::string& p : phases) text += share(p) > 0 ? fmt::format(" {:.1f} % |", 100 * share(p) / whole) : " |";
+    text += fmt::format("| {} | {} | {:.1f} | {:.3g} |", name, price.units, whole,
+                        1e9 * price.cpu / double(price.steps) / double(price.units));
+    for (const std::string& p : phases)
+      text += share(p) > 0 ? fmt::format(" {:.1f} % |", 100 * share(p) / whole) : " |";
     text += "\n";
   }
   std::filesystem::remove_all(folder);

@@ -1,5 +1,6 @@
 #pragma once
-// What users met, as data: one file in cases/ for each line of the table in README.md, which says how the file is written.
+// What users met, as data: one file in cases/ for each line of the table in README.md, which says how the
+// file is written.
 
 #include <array>
 #include <map>
@@ -22,7 +23,7 @@ enum class Reduce { final, first, max, min, peak, mean, middle, swing, integral,
 struct Read {
   std::vector<std::string> columns;  ///< of the table; several are added, "-name" is taken away
   std::string table = "history";     ///< or section_NAME
-  std::string after;                 ///< in their place: the first number behind these words in what the program prints
+  std::string after;  ///< in their place: the first number behind these words in what the program prints
   Reduce reduce = Reduce::final;
   std::optional<std::array<double, 2>> window;  ///< s (m along a section)
   std::optional<Quantity> value, within, least, most;
@@ -37,7 +38,8 @@ struct Run {
   std::string command = "run";
   std::vector<std::pair<std::string, std::string>> replace;  ///< words of the scene file, in their order
   bool quick = false;
-  bool interrupt = false;  ///< stop it half-way, resume it from another folder, and compare with a run in one go, byte by byte
+  bool interrupt = false;  ///< stop it half-way, resume it from another folder, and compare with a run in one
+                           ///< go, byte by byte
   std::vector<int> exit{0};               ///< one of these
   std::vector<std::string> says, silent;  ///< what the program must print, and must not
   std::string gap;                        ///< why the right result is not yet asked for
@@ -66,7 +68,8 @@ struct Setting {
 };
 
 /// Runs one scene by one method and spacing (each may be empty), and judges it.
-std::vector<Finding> judge(const Run& run, const std::string& scene, const std::string& method, const std::string& spacing, const std::string& name, const Setting& setting);
+std::vector<Finding> judge(const Run& run, const std::string& scene, const std::string& method,
+                           const std::string& spacing, const std::string& name, const Setting& setting);
 
 struct Judged {
   const Row* row;

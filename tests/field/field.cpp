@@ -1,5 +1,5 @@
-// What users met, judged: `field [--quick] [--jobs N] [--out DIR] [--readme FILE] CASE.toml ..`. Exit code 0: every verdict is as expected; 1: one is not, or a
-// file of cases is wrong; 77: nothing to do.
+// What users met, judged: `field [--quick] [--jobs N] [--out DIR] [--readme FILE] CASE.toml ..`. Exit code 0:
+// every verdict is as expected; 1: one is not, or a file of cases is wrong; 77: nothing to do.
 
 #include <fmt/format.h>
 
@@ -32,7 +32,9 @@ std::vector<Job> jobs_of(const std::vector<Row>& rows, bool quick) {
       if (!quick || run.quick)
         for (const std::string& scene : run.scenes)
           for (const std::string& method : run.methods)
-            for (const std::string& spacing : run.spacings) jobs.push_back({r, &run, scene, method, spacing, fmt::format("{}/{}", rows[r].stem, jobs.size()), {}});
+            for (const std::string& spacing : run.spacings)
+              jobs.push_back(
+                  {r, &run, scene, method, spacing, fmt::format("{}/{}", rows[r].stem, jobs.size()), {}});
   return jobs;
 }
 
@@ -56,7 +58,8 @@ void write_readme(const std::string& file, const std::string& table) {
   std::ofstream(file) << with;
 }
 
-int judge_all(const std::vector<std::string>& files, bool quick, int threads, const Setting& setting, const std::string& readme) {
+int judge_all(const std::vector<std::string>& files, bool quick, int threads, const Setting& setting,
+              const std::string& readme) {
   std::vector<Row> rows;
   for (const std::string& file : files) rows.push_back(read_row(file));
   std::vector<Job> jobs = jobs_of(rows, quick);
@@ -67,19 +70,22 @@ int judge_all(const std::vector<std::string>& files, bool quick, int threads, co
   for (std::size_t r = 0; r < rows.size(); ++r) {
     Judged judged{&rows[r], {}};
     for (const Job& job : jobs)
-      if (job.row == r) judged.findings.insert(judged.findings.end(), job.findings.begin(), job.findings.end());
+      if (job.row == r)
+        judged.findings.insert(judged.findings.end(), job.findings.begin(), job.findings.end());
     if (judged.findings.empty()) continue;
     for (const Job& job : jobs)
       for (const Finding& f : job.findings)
         if (job.row == r && !as_expected(f))
-          ++unexpected, fmt::print("{}:{}: {} {}: {}: right {}; found {}; {} (log: {}/{}.log)\n", rows[r].file, job.run->line, f.scene, f.method, f.what, f.right, f.found, word(f.verdict),
-                                   setting.out, job.name);
+          ++unexpected, fmt::print("{}:{}: {} {}: {}: right {}; found {}; {} (log: {}/{}.log)\n",
+                                   rows[r].file, job.run->line, f.scene, f.method, f.what, f.right, f.found,
+                                   word(f.verdict), setting.out, job.name);
     all.push_back(std::move(judged));
   }
   const std::string table = markdown(all);
   std::ofstream(setting.out + "/table.md") << table;
   if (!readme.empty()) write_readme(readme, table);
-  if (files.size() > 1) std::cout << table.substr(0, table.find("\n### ")) << "\nevery check: " << setting.out << "/table.md\n";
+  if (files.size() > 1)
+    std::cout << table.substr(0, table.find("\n### ")) << "\nevery check: " << setting.out << "/table.md\n";
   if (unexpected) fmt::print("{} checks are not as expected\n", unexpected);
   return unexpected ? 1 : 0;
 }
@@ -95,11 +101,16 @@ int main(int argc, char** argv) {
   for (int i = 1; i < argc; ++i) {
     const std::string word = argv[i];
     const auto value = [&] { return i + 1 < argc ? argv[++i] : ""; };
-    if (word == "--quick") quick = true;
-    else if (word == "--jobs") threads = std::max(1, std::atoi(value()));
-    else if (word == "--out") setting.out = value();
-    else if (word == "--readme") readme = value();
-    else files.push_back(word);
+    if (word == "--quick")
+      quick = true;
+    else if (word == "--jobs")
+      threads = std::max(1, std::atoi(value()));
+    else if (word == "--out")
+      setting.out = value();
+    else if (word == "--readme")
+      readme = value();
+    else
+      files.push_back(word);
   }
   try {
     std::filesystem::create_directories(setting.out);

@@ -10,8 +10,12 @@ namespace femsph::field {
 namespace {
 
 const std::vector<std::pair<std::string, Reduce>> reductions = {
-    {"final", Reduce::final}, {"first", Reduce::first},   {"max", Reduce::max},     {"min", Reduce::min},           {"peak", Reduce::peak},          {"mean", Reduce::mean},
-    {"middle", Reduce::middle}, {"swing", Reduce::swing}, {"integral", Reduce::integral}, {"frequency", Reduce::frequency}, {"stop", Reduce::stop}};
+    {"final", Reduce::final},       {"first", Reduce::first},
+    {"max", Reduce::max},           {"min", Reduce::min},
+    {"peak", Reduce::peak},         {"mean", Reduce::mean},
+    {"middle", Reduce::middle},     {"swing", Reduce::swing},
+    {"integral", Reduce::integral}, {"frequency", Reduce::frequency},
+    {"stop", Reduce::stop}};
 
 /// "2 mm", or a plain number.
 std::optional<Quantity> quantity(Fields& fields, const toml::table& table, const char* key) {
@@ -24,7 +28,9 @@ std::optional<Quantity> quantity(Fields& fields, const toml::table& table, const
   char* end = nullptr;
   const double number = std::strtod(text.c_str(), &end);
   while (*end == ' ') ++end;
-  if (end == text.c_str() || *end == 0) fields.fault(key, fmt::format("\"{}\" is {}; expected a number and its unit, such as \"2 mm\"", key, in_quotes(text)));
+  if (end == text.c_str() || *end == 0)
+    fields.fault(key, fmt::format("\"{}\" is {}; expected a number and its unit, such as \"2 mm\"", key,
+                                  in_quotes(text)));
   return Quantity{number, end};
 }
 
@@ -39,18 +45,24 @@ Read one_read(Fields& fields, const toml::table& table) {
   read.after = fields.text("after", Need::optional).value_or("");
   read.reduce = fields.choice<Reduce>("reduce", Need::optional, reductions).value_or(Reduce::final);
   if (const auto window = fields.numbers("window", Need::optional)) {
-    if (window->size() == 2 && (*window)[0] < (*window)[1]) read.window = {(*window)[0], (*window)[1]};
-    else fields.fault("window", "\"window\" is no interval; expected two numbers, in s (in m along a section)");
+    if (window->size() == 2 && (*window)[0] < (*window)[1])
+      read.window = {(*window)[0], (*window)[1]};
+    else
+      fields.fault("window", "\"window\" is no interval; expected two numbers, in s (in m along a section)");
   }
   read.value = quantity(fields, table, "value");
   read.within = quantity(fields, table, "within");
   read.least = quantity(fields, table, "least");
   read.most = quantity(fields, table, "most");
   read.percent = fields.number("percent", Need::optional);
-  read.why = fields.text("why", Need::required, "how the value is known, and where the tolerance comes from").value_or("");
-  if (read.columns.empty() == read.after.empty()) fields.fault("columns", "expected either \"columns\" or \"after\"");
-  if (read.value && read.percent.has_value() == read.within.has_value()) fields.fault("value", "expected one of \"percent\" and \"within\" beside \"value\"");
-  if (!read.value && !read.least && !read.most) fields.fault("value", "nothing is asserted; expected \"value\", \"least\" or \"most\"");
+  read.why = fields.text("why", Need::required, "how the value is known, and where the tolerance comes from")
+                 .value_or("");
+  if (read.columns.empty() == read.after.empty())
+    fields.fault("columns", "expected either \"columns\" or \"after\"");
+  if (read.value && read.percent.has_value() == read.within.has_value())
+    fields.fault("value", "expected one of \"percent\" and \"within\" beside \"value\"");
+  if (!read.value && !read.least && !read.most)
+    fields.fault("value", "nothing is asserted; expected \"value\", \"least\" or \"most\"");
   fields.done();
   return read;
 }
@@ -65,13 +77,17 @@ Run one_run(Fields& fields, const toml::table& table, Faults& faults) {
   run.command = fields.text("command", Need::optional).value_or("run");
   run.quick = fields.flag("quick", Need::optional).value_or(false);
   run.interrupt = fields.flag("interrupt", Need::optional).value_or(false);
-  if (const auto codes = fields.numbers("exit", Need::optional)) run.exit.assign(codes->begin(), codes->end());
+  if (const auto codes = fields.numbers("exit", Need::optional))
+    run.exit.assign(codes->begin(), codes->end());
   if (run.exit.empty()) fields.fault("exit", "\"exit\" is empty; expected one exit code or more");
   run.says = texts(fields, "says");
   run.silent = texts(fields, "silent");
   run.gap = fields.text("gap", Need::optional).value_or("");
   const auto words = texts(fields, "replace");
-  if (words.size() % 2) fields.fault("replace", "\"replace\" has an odd number of texts; expected pairs: what stands there, what is put there");
+  if (words.size() % 2)
+    fields.fault(
+        "replace",
+        "\"replace\" has an odd number of texts; expected pairs: what stands there, what is put there");
   for (std::size_t i = 0; i + 1 < words.size(); i += 2) run.replace.emplace_back(words[i], words[i + 1]);
   if (run.scenes.empty()) run.scenes = {""};
   if (run.methods.empty()) run.methods = {""};

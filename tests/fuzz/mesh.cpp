@@ -1,5 +1,6 @@
-// Any bytes as a mesh: cells that shapes can use, or a std::runtime_error. Gmsh works in a child process, where this fuzzer sees no coverage: what is
-// tried here is that nothing it does reaches this side, and that what comes back is sound.
+// Any bytes as a mesh: cells that shapes can use, or a std::runtime_error. Gmsh works in a child process,
+// where this fuzzer sees no coverage: what is tried here is that nothing it does reaches this side, and that
+// what comes back is sound.
 
 #include <unistd.h>
 

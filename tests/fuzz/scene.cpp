@@ -6,7 +6,8 @@
 
 extern "C" int LLVMFuzzerTestOneInput(const unsigned char* data, std::size_t size) {
   try {
-    const femsph::Scene scene = femsph::parse_scene(std::string(reinterpret_cast<const char*>(data), size), "/nowhere/scene.toml");
+    const femsph::Scene scene = femsph::parse_scene(
+        std::string(reinterpret_cast<const char*>(data), size), "/nowhere/scene.toml");
     // What runs and tables ask of any scene that was accepted.
     for (const femsph::Body& body : scene.bodies) body.shape->describe();
     for (const femsph::Load& load : scene.loads) load.history.at(0.5 * scene.duration);

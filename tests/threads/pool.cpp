@@ -1,4 +1,5 @@
-// Threads: every item once, sums the same to the last bit for any number of threads, errors carried back, thousands of short loops.
+// Threads: every item once, sums the same to the last bit for any number of threads, errors carried back,
+// thousands of short loops.
 
 #include <gtest/gtest.h>
 

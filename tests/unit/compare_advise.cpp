@@ -5,8 +5,8 @@
 #include <cmath>
 
 #include "compare/price/advise.hpp"
-#include "compare/program/commands.hpp"
 #include "compare/price/study_advice.hpp"
+#include "compare/program/commands.hpp"
 #include "compare_support.hpp"
 
 namespace femsph::compare {
@@ -28,7 +28,8 @@ class Advise : public ::testing::Test {
     scene.probes.push_back({"tip", 0, Quantity::displacement, {1, 0.05, 0}});
     question.quantity.name = "tip_y";
     question.quantity.observed = {"tip", "", "", "", "y", {"mm", 1e-3}};
-    question.methods = {method_named("fem-full"), method_named("sph-corrected"), method_named("sph-classic-share")};
+    question.methods = {
+        method_named("fem-full"), method_named("sph-corrected"), method_named("sph-classic-share")};
     question.budget = 50;
     // FEM errs by 10 % at 100 mm, corrected SPH by 40 %; classic SPH has its limit 20 % beside theirs.
     engine.run = [](const Scene&, const Method& method, const Resolution& resolution, const RunOptions&) {
@@ -62,7 +63,9 @@ TEST_F(Advise, LeastTimeForAnError) {
   EXPECT_NEAR(outcome.cpu / advice.best->cpu, 1, 0.02);
   EXPECT_LT(std::abs(outcome.error), 0.1);
   EXPECT_LE(advice.spent, question.budget);
-  EXPECT_THAT(describe(scene, question, advice), AllOf(HasSubstr("--solver fem-full --spacing \"9.09091 mm\""), HasSubstr("2 of 3 methods"), HasSubstr("confidence good")));
+  EXPECT_THAT(describe(scene, question, advice),
+              AllOf(HasSubstr("--solver fem-full --spacing \"9.09091 mm\""), HasSubstr("2 of 3 methods"),
+                    HasSubstr("confidence good")));
 }
 
 TEST_F(Advise, LeastErrorInATime) {
@@ -100,7 +103,8 @@ TEST_F(Advise, AMethodThatFailsIsNamedAndOthersGoOn) {
   question.error = 1;
   question.methods.push_back(method_named("sph-virtual"));
   const auto run = engine.run;
-  engine.run = [run](const Scene& s, const Method& method, const Resolution& resolution, const RunOptions& o) {
+  engine.run = [run](
+                   const Scene& s, const Method& method, const Resolution& resolution, const RunOptions& o) {
     if (method.name == "sph-virtual") throw std::runtime_error("virtual particles want a box");
     return run(s, method, resolution, o);
   };

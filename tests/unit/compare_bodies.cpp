@@ -1,5 +1,5 @@
-// A number belongs to the body that its probe or section names, whichever comes first in the scene; a theory of one body refuses any other scene; and
-// what has no value is said, not taken from what is left.
+// A number belongs to the body that its probe or section names, whichever comes first in the scene; a theory
+// of one body refuses any other scene; and what has no value is said, not taken from what is left.
 
 #include <gmock/gmock.h>
 
@@ -59,15 +59,20 @@ QuantitySpec of_column(const char* column, Reduce reduce) {
 }
 RunResult history(std::vector<double> time, std::vector<double> value) {
   RunResult r;
-  r.history.columns = {{"time", "s", std::move(time)}, {"q_equivalent", "Pa", value}, {"p_equivalent", "1", std::vector<double>(value.size())}, {"x", "N", value}};
+  r.history.columns = {{"time", "s", std::move(time)},
+                       {"q_equivalent", "Pa", value},
+                       {"p_equivalent", "1", std::vector<double>(value.size())},
+                       {"x", "N", value}};
   return r;
 }
 
-// Stress +-30 MPa at the ends of a height of 100 mm, by the trapezoid rule over two halves: 2 (0.05/2) 30e6 0.05 b = 75 kN b (the integral is 50 kN b).
+// Stress +-30 MPa at the ends of a height of 100 mm, by the trapezoid rule over two halves: 2 (0.05/2) 30e6
+// 0.05 b = 75 kN b (the integral is 50 kN b).
 TEST(Bodies, AMomentTakesTheThicknessOfItsOwnBody) {
   for (const bool swapped : {false, true}) {
     const Scene scene = two_bodies(swapped);
-    EXPECT_NEAR(reduce(of_section("inner", Reduce::moment), result(0, 30e6, 0.01), scene, nullptr).value, 75e3 * 0.1, 1e-6);
+    EXPECT_NEAR(reduce(of_section("inner", Reduce::moment), result(0, 30e6, 0.01), scene, nullptr).value,
+                75e3 * 0.1, 1e-6);
   }
 }
 
@@ -75,15 +80,18 @@ TEST(Bodies, AMomentHasOneSignWhicheverEndComesFirst) {
   Scene scene = two_bodies(false);
   const double up = reduce(of_section("inner", Reduce::moment), result(0, 30e6, 0.01), scene, nullptr).value;
   std::swap(scene.sections[0].from, scene.sections[0].to);
-  EXPECT_NEAR(reduce(of_section("inner", Reduce::moment), result(0, -30e6, 0.01), scene, nullptr).value, up, 1e-6);
+  EXPECT_NEAR(
+      reduce(of_section("inner", Reduce::moment), result(0, -30e6, 0.01), scene, nullptr).value, up, 1e-6);
 }
 
 TEST(Bodies, AMomentIsOfASectionAlongY) {
   Scene scene = two_bodies(false);
   RunResult run = result(0, 30e6, 0.01);
   run.profiles["level"] = run.profiles["inner"];
-  EXPECT_THAT(message_of([&] { reduce(of_section("level", Reduce::moment), run, scene, nullptr); }), HasSubstr("a moment is of a section of stress along y, and \"level\" is none"));
-  EXPECT_THAT(message_of([&] { reduce(of_section("level", Reduce::fibre_upper), run, scene, nullptr); }), HasSubstr("has no upper and no lower end"));
+  EXPECT_THAT(message_of([&] { reduce(of_section("level", Reduce::moment), run, scene, nullptr); }),
+              HasSubstr("a moment is of a section of stress along y, and \"level\" is none"));
+  EXPECT_THAT(message_of([&] { reduce(of_section("level", Reduce::fibre_upper), run, scene, nullptr); }),
+              HasSubstr("has no upper and no lower end"));
 }
 
 // The limit's moment is its moment, and not the stress of its upper fibre.
@@ -102,36 +110,63 @@ TEST(Bodies, TheLimitOfAMomentIsAMoment) {
 // 120 MPa are 20 % over the yield stress of the soft body, and 60 % below that of the hard one.
 TEST(Bodies, ExcessIsOverTheYieldCurveOfItsOwnBody) {
   QuantitySpec q = of_column("", Reduce::excess);
-  q.observed = {"q", "", "", "", "equivalent", {"%", 0.01}}, q.along = {"p", "", "", "", "equivalent", {"1", 1}};
-  for (const bool swapped : {false, true}) EXPECT_NEAR(reduce(q, history({0, 1}, {0, 1.2e8}), two_bodies(swapped), nullptr).value, 20, 1e-9);
+  q.observed = {"q", "", "", "", "equivalent", {"%", 0.01}},
+  q.along = {"p", "", "", "", "equivalent", {"1", 1}};
+  for (const bool swapped : {false, true})
+    EXPECT_NEAR(reduce(q, history({0, 1}, {0, 1.2e8}), two_bodies(swapped), nullptr).value, 20, 1e-9);
   q.along.probe = "other";
-  EXPECT_THAT(message_of([&] { reduce(q, history({0, 1}, {0, 1.2e8}), two_bodies(false), nullptr); }), HasSubstr("read in two bodies, \"thin\" and \"thick\""));
+  EXPECT_THAT(message_of([&] {
+                reduce(q, history({0, 1}, {0, 1.2e8}), two_bodies(false), nullptr);
+              }),
+              HasSubstr("read in two bodies, \"thin\" and \"thick\""));
 }
 
 TEST(Sweep, WhatIsNoNumberIsSaid) {
   const Scene scene = two_bodies(false);
   const double nan = std::nan("");
-  for (const Reduce reduction : {Reduce::max, Reduce::min, Reduce::peak, Reduce::mean, Reduce::integral, Reduce::duration, Reduce::frequency})
-    EXPECT_THAT(message_of([&] { reduce(of_column("x", reduction), history({0, 1, 2, 3}, {0, nan, 1, 0}), scene, nullptr); }), HasSubstr("not a finite number in sample 2 of 4"));
+  for (const Reduce reduction : {Reduce::max, Reduce::min, Reduce::peak, Reduce::mean, Reduce::integral,
+                                 Reduce::duration, Reduce::frequency})
+    EXPECT_THAT(message_of([&] {
+                  reduce(of_column("x", reduction), history({0, 1, 2, 3}, {0, nan, 1, 0}), scene, nullptr);
+                }),
+                HasSubstr("not a finite number in sample 2 of 4"));
 }
 
 TEST(Sweep, WindowsAndDurationsThatTheHistoryDoesNotHold) {
   const Scene scene = two_bodies(false);
   QuantitySpec q = of_column("x", Reduce::integral);
   q.window = {0.4, 0.6};
-  EXPECT_THAT(message_of([&] { reduce(q, history({0, 0.2, 0.5, 1}, {1, 1, 1, 1}), scene, nullptr); }), HasSubstr("one sample has no integral"));
+  EXPECT_THAT(message_of([&] {
+                reduce(q, history({0, 0.2, 0.5, 1}, {1, 1, 1, 1}), scene, nullptr);
+              }),
+              HasSubstr("one sample has no integral"));
   q.window = {0.25, 0.45};
-  EXPECT_THAT(message_of([&] { reduce(q, history({0, 0.2, 0.5, 1}, {1, 1, 1, 1}), scene, nullptr); }), HasSubstr("no sample in the window"));
+  EXPECT_THAT(message_of([&] {
+                reduce(q, history({0, 0.2, 0.5, 1}, {1, 1, 1, 1}), scene, nullptr);
+              }),
+              HasSubstr("no sample in the window"));
   q.window = {0, 5};
-  EXPECT_THAT(message_of([&] { reduce(q, history({0, 0.2, 0.5, 1}, {1, 1, 1, 1}), scene, nullptr); }), HasSubstr("the history ends at 1000 ms, within the window that goes on to 5000 ms"));
-  EXPECT_THAT(message_of([&] { reduce(of_column("x", Reduce::duration), history({0, 1, 2}, {0, 1, 1}), scene, nullptr); }), HasSubstr("not zero at its end"));
-  EXPECT_THAT(message_of([&] { reduce(of_column("x", Reduce::duration), history({0, 1, 2}, {0, 1, 0}), scene, nullptr); }), HasSubstr("in one sample only"));
+  EXPECT_THAT(message_of([&] {
+                reduce(q, history({0, 0.2, 0.5, 1}, {1, 1, 1, 1}), scene, nullptr);
+              }),
+              HasSubstr("the history ends at 1000 ms, within the window that goes on to 5000 ms"));
+  EXPECT_THAT(message_of([&] {
+                reduce(of_column("x", Reduce::duration), history({0, 1, 2}, {0, 1, 1}), scene, nullptr);
+              }),
+              HasSubstr("not zero at its end"));
+  EXPECT_THAT(message_of([&] {
+                reduce(of_column("x", Reduce::duration), history({0, 1, 2}, {0, 1, 0}), scene, nullptr);
+              }),
+              HasSubstr("in one sample only"));
 }
 
 TEST(Sweep, AColumnInAnotherUnitIsRefused) {
   QuantitySpec q = of_column("x", Reduce::final);
   q.observed.si = "m";
-  EXPECT_THAT(message_of([&] { reduce(q, history({0, 1}, {1, 1}), two_bodies(false), nullptr); }), HasSubstr("the column x is in N, not in m"));
+  EXPECT_THAT(message_of([&] {
+                reduce(q, history({0, 1}, {1, 1}), two_bodies(false), nullptr);
+              }),
+              HasSubstr("the column x is in N, not in m"));
 }
 
 TEST(Sweep, RestHasNoFrequency) {
@@ -145,12 +180,15 @@ TEST(Sweep, RestHasNoFrequency) {
 TEST(Sweep, L2AgainstAZeroTheoryIsNotTakenFromTheLimitInstead) {
   Scene scene = cantilever();
   scene.settling.emplace();
-  scene.sections.push_back({"inner", 0, Quantity::stress, {1, 0, 0}, {1, 0.1, 0}, 3});  // theory's stress is zero at the loaded end
+  scene.sections.push_back(
+      {"inner", 0, Quantity::stress, {1, 0, 0}, {1, 0.1, 0}, 3});  // theory's stress is zero at the loaded
+                                                                   // end
   QuantitySpec q = of_section("inner", Reduce::l2);
   q.theory = "cantilever_stress";
   fem::StaticLimit limit;
   limit.sections["inner"] = {{-1e6}, {0}, {1e6}};
-  EXPECT_THAT(message_of([&] { reduce(q, result(0, 30e6, 0.01), scene, &limit); }), HasSubstr("the profile of theory is zero all along"));
+  EXPECT_THAT(message_of([&] { reduce(q, result(0, 30e6, 0.01), scene, &limit); }),
+              HasSubstr("the profile of theory is zero all along"));
 }
 
 double theory(const char* name, const Scene& scene) { return theory_named(name).value(scene, {0, 0, 0}, 0); }
@@ -160,27 +198,68 @@ TEST(Premises, OfTheBarAndTheCantilever) {
     change(scene);
     return message_of([&] { theory(name, scene); });
   };
-  EXPECT_THAT(refused("bar_stress", bar(), [](Scene& s) { s.loads[0].place.sides = {"x+", "y+"}; }), HasSubstr("the loads turn x+ about its middle"));
-  EXPECT_EQ(refused("bar_stress", bar(), [](Scene& s) { s.loads.push_back(s.loads[0]), s.loads[0].place.sides = {"x+", "y+"}, s.loads[1].place.sides = {"x+", "y-"}; }), "")
+  EXPECT_THAT(refused("bar_stress", bar(),
+                      [](Scene& s) {
+                        s.loads[0].place.sides = {"x+", "y+"};
+                      }),
+              HasSubstr("the loads turn x+ about its middle"));
+  EXPECT_EQ(refused("bar_stress", bar(),
+                    [](Scene& s) {
+                      s.loads.push_back(s.loads[0]),
+                          s.loads[0].place.sides = {"x+", "y+"}, s.loads[1].place.sides = {"x+", "y-"};
+                    }),
+            "")
       << "two halves on the two corners are centric";
-  EXPECT_EQ(refused("cantilever_tip", cantilever(), [](Scene& s) { s.loads[0].place.sides = {"x+", "y+"}; }), "");
-  EXPECT_THAT(refused("cantilever_tip", steel_box(0.3, 0.1, {0, -1, 0}, 0.1), [](Scene& s) { s.loads[0].place.sides = {"x+", "y+", "z+"}; }), HasSubstr("turn x+ about its middle"));
-  EXPECT_THAT(refused("cantilever_tip", cantilever(), [](Scene& s) { s.symmetries.push_back({Place{0, {"y-"}, {}, {}}}); }), HasSubstr("a plane of symmetry"));
-  EXPECT_THAT(refused("cantilever_tip", cantilever(), [](Scene& s) { s.bars.push_back({}); }), HasSubstr("bars in it"));
-  EXPECT_THAT(refused("cantilever_tip", cantilever(), [](Scene& s) { s.initial_displacements.push_back({}); }), HasSubstr("an initial displacement"));
-  EXPECT_THAT(refused("cantilever_tip", cantilever(), [](Scene& s) { s.supports[0].velocity = {0, 1, 0}; }), HasSubstr("a support moves"));
-  EXPECT_THAT(refused("cantilever_tip", cantilever(), [](Scene& s) { s.supports[0].mean = true; }), HasSubstr("not held along x"));
-  EXPECT_THAT(refused("cantilever_tip", cantilever(), [](Scene& s) { s.supports[0].place.within = Region{{0, 0, 0}, {0, 0.05, 0}}; }), HasSubstr("not held along x"));
-  EXPECT_THAT(refused("cantilever_tip", cantilever(), [](Scene& s) { s.materials["steel"].neo_hookean = true; }), HasSubstr("neo-Hookean"));
+  EXPECT_EQ(refused("cantilever_tip", cantilever(),
+                    [](Scene& s) {
+                      s.loads[0].place.sides = {"x+", "y+"};
+                    }),
+            "");
+  EXPECT_THAT(refused("cantilever_tip", steel_box(0.3, 0.1, {0, -1, 0}, 0.1),
+                      [](Scene& s) {
+                        s.loads[0].place.sides = {"x+", "y+", "z+"};
+                      }),
+              HasSubstr("turn x+ about its middle"));
+  EXPECT_THAT(refused("cantilever_tip", cantilever(),
+                      [](Scene& s) {
+                        s.symmetries.push_back({Place{0, {"y-"}, {}, {}}});
+                      }),
+              HasSubstr("a plane of symmetry"));
+  EXPECT_THAT(refused("cantilever_tip", cantilever(), [](Scene& s) { s.bars.push_back({}); }),
+              HasSubstr("bars in it"));
+  EXPECT_THAT(
+      refused("cantilever_tip", cantilever(), [](Scene& s) { s.initial_displacements.push_back({}); }),
+      HasSubstr("an initial displacement"));
+  EXPECT_THAT(refused("cantilever_tip", cantilever(),
+                      [](Scene& s) {
+                        s.supports[0].velocity = {0, 1, 0};
+                      }),
+              HasSubstr("a support moves"));
+  EXPECT_THAT(refused("cantilever_tip", cantilever(), [](Scene& s) { s.supports[0].mean = true; }),
+              HasSubstr("not held along x"));
+  EXPECT_THAT(refused("cantilever_tip", cantilever(),
+                      [](Scene& s) {
+                        s.supports[0].place.within = Region{{0, 0, 0}, {0, 0.05, 0}};
+                      }),
+              HasSubstr("not held along x"));
+  EXPECT_THAT(
+      refused("cantilever_tip", cantilever(), [](Scene& s) { s.materials["steel"].neo_hookean = true; }),
+      HasSubstr("neo-Hookean"));
   EXPECT_THAT(refused("bar_period", bar(), [](Scene& s) { s.damping = 100; }), HasSubstr("has damping"));
-  EXPECT_THAT(refused("cantilever_tip_peak", cantilever(), [](Scene& s) { s.settling.emplace(); }), HasSubstr("has damping"));
-  // P L (h/2)/I = 25 kN 1 m 50 mm/8.33e-6 m^4 = 150 MPa: elastic at rest up to there, and twice that under a step.
+  EXPECT_THAT(refused("cantilever_tip_peak", cantilever(), [](Scene& s) { s.settling.emplace(); }),
+              HasSubstr("has damping"));
+  // P L (h/2)/I = 25 kN 1 m 50 mm/8.33e-6 m^4 = 150 MPa: elastic at rest up to there, and twice that under a
+  // step.
   const auto yields_at = [](double yield) {
-    return [yield](Scene& s) { s.materials["steel"].plasticity.emplace(), s.materials["steel"].plasticity->yield = yield; };
+    return [yield](Scene& s) {
+      s.materials["steel"].plasticity.emplace(), s.materials["steel"].plasticity->yield = yield;
+    };
   };
   EXPECT_EQ(refused("cantilever_tip", cantilever(), yields_at(151e6)), "");
-  EXPECT_THAT(refused("cantilever_tip", cantilever(), yields_at(149e6)), HasSubstr("takes it to 150 MPa, beyond its yield stress of 149 MPa"));
-  EXPECT_THAT(refused("cantilever_tip_peak", cantilever(), yields_at(151e6)), HasSubstr("takes it to 300 MPa"));
+  EXPECT_THAT(refused("cantilever_tip", cantilever(), yields_at(149e6)),
+              HasSubstr("takes it to 150 MPa, beyond its yield stress of 149 MPa"));
+  EXPECT_THAT(
+      refused("cantilever_tip_peak", cantilever(), yields_at(151e6)), HasSubstr("takes it to 300 MPa"));
 }
 
 TEST(Premises, OfImpactAndThePlasticMoment) {
@@ -198,17 +277,24 @@ TEST(Premises, OfImpactAndThePlasticMoment) {
   EXPECT_THAT(impact([](Scene& s) { s.bodies.push_back(s.bodies[0]); }), HasSubstr("2 bodies"));
   EXPECT_THAT(impact([](Scene& s) { s.initial_velocities[0].velocity[0] = 10; }), HasSubstr("not along -x"));
   EXPECT_THAT(impact([](Scene& s) { s.initial_velocities[0].spin[2] = 1; }), HasSubstr("not along -x"));
-  EXPECT_THAT(impact([](Scene& s) { s.initial_velocities.push_back(s.initial_velocities[0]); }), HasSubstr("2 initial velocities"));
+  EXPECT_THAT(impact([](Scene& s) { s.initial_velocities.push_back(s.initial_velocities[0]); }),
+              HasSubstr("2 initial velocities"));
   EXPECT_THAT(impact([](Scene& s) { s.plane = Plane::strain; }), HasSubstr("plane strain"));
-  EXPECT_THAT(impact([](Scene& s) { s.supports[0].place.sides = {"x+"}; }), HasSubstr("a support is not on x-"));
+  EXPECT_THAT(
+      impact([](Scene& s) { s.supports[0].place.sides = {"x+"}; }), HasSubstr("a support is not on x-"));
   EXPECT_THAT(impact([](Scene& s) { s.supports.clear(); }), HasSubstr("not held along x"));
-  EXPECT_THAT(impact([](Scene& s) { s.materials["steel"].plasticity.reset(); }), HasSubstr("its material is elastic"));
+  EXPECT_THAT(impact([](Scene& s) { s.materials["steel"].plasticity.reset(); }),
+              HasSubstr("its material is elastic"));
   scene.initial_velocities.clear();
   EXPECT_THAT(message_of([&] { theory("plastic_moment", scene); }), HasSubstr("its material hardens"));
   scene.materials["steel"].plasticity->hardening = 0;
   EXPECT_NEAR(theory("plastic_moment", scene), 3e8 * 0.1 * 0.1 * 0.1 / 4, 1e-3);
-  EXPECT_THAT(refused("plastic_moment", scene, [](Scene& s) { s.bodies.insert(s.bodies.begin(), s.bodies[0]), s.bodies[0].thickness = 7; }), HasSubstr("2 bodies"));
-  EXPECT_THAT(refused("plastic_moment", scene, [](Scene& s) { s.plane = Plane::strain; }), HasSubstr("plane strain"));
+  EXPECT_THAT(
+      refused("plastic_moment", scene,
+              [](Scene& s) { s.bodies.insert(s.bodies.begin(), s.bodies[0]), s.bodies[0].thickness = 7; }),
+      HasSubstr("2 bodies"));
+  EXPECT_THAT(
+      refused("plastic_moment", scene, [](Scene& s) { s.plane = Plane::strain; }), HasSubstr("plane strain"));
 }
 
 }  // namespace

@@ -14,14 +14,15 @@ using Kind = Claim::Kind;
 Row row(const std::string& method, const std::string& case_name, double spacing, double error) {
   Row r;
   r.study = "s", r.case_name = case_name, r.method = method, r.quantity = "tip", r.unit = "mm";
-  r.spacing_mm = spacing, r.value = 1 + error / 100, r.theory = 1, r.error_percent = error, r.error_vs_limit_percent = error - 1;
+  r.spacing_mm = spacing, r.value = 1 + error / 100, r.theory = 1, r.error_percent = error,
+  r.error_vs_limit_percent = error - 1;
   return r;
 }
 
 // Uncorrected SPH: e = -2 d % (d in mm); FEM: -5 % at 25 mm.
 std::vector<Row> rows() {
-  return {row("sph", "d=20", 20, -40), row("sph", "d=10", 10, -20), row("sph", "d=5", 5, -10), row("sph", "d=2.5", 2.5, -5),
-          row("fem", "1_2", 25, -5)};
+  return {row("sph", "d=20", 20, -40), row("sph", "d=10", 10, -20), row("sph", "d=5", 5, -10),
+          row("sph", "d=2.5", 2.5, -5), row("fem", "1_2", 25, -5)};
 }
 
 RowFilter filter(const std::string& method, std::vector<std::string> cases = {}) {
@@ -130,8 +131,8 @@ TEST(Claims, AreWritten) {
   c.bound = 15;
   const std::vector<Claim> claims = {c};
   const auto verdicts = judge(claims, rows());
-  EXPECT_THAT(csv(verdicts),
-              HasSubstr("id,fig 1,\"errors, all of them, \"\"small\"\"\",below 15 %,\"-40 %, -20 %, -10 %, -5 %\",partly,our reading"));
+  EXPECT_THAT(csv(verdicts), HasSubstr("id,fig 1,\"errors, all of them, \"\"small\"\"\",below 15 %,\"-40 %, "
+                                       "-20 %, -10 %, -5 %\",partly,our reading"));
   EXPECT_THAT(markdown(verdicts), HasSubstr("| partly | our reading |"));
 }
 

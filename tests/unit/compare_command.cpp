@@ -1,4 +1,5 @@
-// From the words of a command line to a method and a resolution: every number has a range, and what would do nothing is refused.
+// From the words of a command line to a method and a resolution: every number has a range, and what would do
+// nothing is refused.
 
 #include <fmt/format.h>
 #include <gmock/gmock.h>
@@ -16,7 +17,8 @@ namespace {
 using namespace testing;
 using ::testing::HasSubstr;
 
-const double nan = std::numeric_limits<double>::quiet_NaN(), infinite = std::numeric_limits<double>::infinity();
+const double nan = std::numeric_limits<double>::quiet_NaN(),
+             infinite = std::numeric_limits<double>::infinity();
 
 RunCommand by(const char* solver) {
   RunCommand c;
@@ -54,7 +56,8 @@ Scene one_cell() {
   return scene;
 }
 
-std::string of_resolution(const Scene& scene, const char* solver, std::optional<std::string> spacing, std::vector<int> divisions) {
+std::string of_resolution(const Scene& scene, const char* solver, std::optional<std::string> spacing,
+                          std::vector<int> divisions) {
   RunCommand c = by(solver);
   c.spacing = spacing;
   c.divisions = divisions;
@@ -62,37 +65,61 @@ std::string of_resolution(const Scene& scene, const char* solver, std::optional<
 }
 
 TEST(Command, NumbersOfAMethodHaveRanges) {
-  for (const double bad : {nan, infinite, -1.0, 0.0, 0.5, 5.0}) EXPECT_THAT(of_method("sph", &RunCommand::smoothing, bad), HasSubstr("; expected a number from 0.6 to 4")) << bad;
-  EXPECT_EQ(of_method("sph", &RunCommand::smoothing, nan), "--smoothing is nan; expected a number from 0.6 to 4");
+  for (const double bad : {nan, infinite, -1.0, 0.0, 0.5, 5.0})
+    EXPECT_THAT(of_method("sph", &RunCommand::smoothing, bad), HasSubstr("; expected a number from 0.6 to 4"))
+        << bad;
+  EXPECT_EQ(
+      of_method("sph", &RunCommand::smoothing, nan), "--smoothing is nan; expected a number from 0.6 to 4");
   EXPECT_EQ(of_method("sph", &RunCommand::smoothing, 1.2), "");
   for (const char* solver : {"sph", "fem-one-point"}) {
-    for (const double bad : {nan, infinite, -0.1, 11.0}) EXPECT_THAT(of_method(solver, &RunCommand::hourglass, bad), HasSubstr("--hourglass is ")) << bad;
+    for (const double bad : {nan, infinite, -0.1, 11.0})
+      EXPECT_THAT(of_method(solver, &RunCommand::hourglass, bad), HasSubstr("--hourglass is ")) << bad;
     EXPECT_EQ(of_method(solver, &RunCommand::hourglass, 0.0), "");
   }
-  EXPECT_EQ(of_method("sph-classic-share", &RunCommand::viscosity, std::vector<double>{1, -1, 0.01}), "--viscosity: beta is -1; expected a number from 0 to 100");
-  EXPECT_EQ(of_method("sph-classic-share", &RunCommand::viscosity, std::vector<double>{1, 1, 0}), "--viscosity: gamma is 0; expected a number above 0, up to 100");
+  EXPECT_EQ(of_method("sph-classic-share", &RunCommand::viscosity, std::vector<double>{1, -1, 0.01}),
+            "--viscosity: beta is -1; expected a number from 0 to 100");
+  EXPECT_EQ(of_method("sph-classic-share", &RunCommand::viscosity, std::vector<double>{1, 1, 0}),
+            "--viscosity: gamma is 0; expected a number above 0, up to 100");
   EXPECT_EQ(of_method("sph-classic-share", &RunCommand::viscosity, std::vector<double>{1, 1, 0.01}), "");
-  EXPECT_EQ(of_method("sph", &RunCommand::kernel, "wendland"), "--kernel cannot be \"wendland\"; expected \"cubic-spline\" or \"wendland-c2\"");
-  EXPECT_THAT(complaint([] { method_of(by("sph-corected")); }), AllOf(HasSubstr("--solver: no method \"sph-corected\""), HasSubstr("did you mean \"sph-corrected\"?")));
+  EXPECT_EQ(of_method("sph", &RunCommand::kernel, "wendland"),
+            "--kernel cannot be \"wendland\"; expected \"cubic-spline\" or \"wendland-c2\"");
+  EXPECT_THAT(
+      complaint([] { method_of(by("sph-corected")); }),
+      AllOf(HasSubstr("--solver: no method \"sph-corected\""), HasSubstr("did you mean \"sph-corrected\"?")));
 }
 
 TEST(Command, SafetyAndThreadsHaveRanges) {
-  for (const double bad : {nan, infinite, -1.0, 0.0, 1.0001}) EXPECT_THAT(complaint([&] { checked_safety(bad); }), HasSubstr("; expected a number above 0, up to 1: the step over the critical step"));
+  for (const double bad : {nan, infinite, -1.0, 0.0, 1.0001})
+    EXPECT_THAT(complaint([&] { checked_safety(bad); }),
+                HasSubstr("; expected a number above 0, up to 1: the step over the critical step"));
   EXPECT_EQ(checked_safety(1), 1);
-  for (const int bad : {0, -3, 513}) EXPECT_EQ(complaint([&] { checked_threads(bad); }), fmt::format("--threads is {}; expected a whole number from 1 to 512", bad));
+  for (const int bad : {0, -3, 513})
+    EXPECT_EQ(complaint([&] { checked_threads(bad); }),
+              fmt::format("--threads is {}; expected a whole number from 1 to 512", bad));
   EXPECT_EQ(checked_threads(512), 512);
 }
 
 TEST(Command, AnOptionThatWouldDoNothingIsRefused) {
-  EXPECT_EQ(of_method("fem", &RunCommand::smoothing, 1.2), "--smoothing does nothing with fem-full: it is an option of SPH");
-  EXPECT_EQ(of_method("fem", &RunCommand::mass, "full"), "--mass does nothing with fem-full: it is an option of SPH");
-  EXPECT_EQ(of_method("fem", &RunCommand::hourglass, 0.1), "--hourglass does nothing with fem-full: of the elements, only fem-one-point has an hourglass control");
-  EXPECT_EQ(of_method("sph-virtual", &RunCommand::hourglass, 0.1), "--hourglass does nothing with sph-virtual: classic SPH has no hourglass control");
-  EXPECT_EQ(of_method("sph", &RunCommand::viscosity, std::vector<double>{1, 1, 0.01}), "--viscosity does nothing with sph-corrected: it belongs to classic SPH");
-  EXPECT_EQ(of_method("sph", &RunCommand::mass, "full"), "");  // what a particle at the boundary weighs is a choice there too
+  EXPECT_EQ(of_method("fem", &RunCommand::smoothing, 1.2),
+            "--smoothing does nothing with fem-full: it is an option of SPH");
+  EXPECT_EQ(of_method("fem", &RunCommand::mass, "full"),
+            "--mass does nothing with fem-full: it is an option of SPH");
+  EXPECT_EQ(
+      of_method("fem", &RunCommand::hourglass, 0.1),
+      "--hourglass does nothing with fem-full: of the elements, only fem-one-point has an hourglass control");
+  EXPECT_EQ(of_method("sph-virtual", &RunCommand::hourglass, 0.1),
+            "--hourglass does nothing with sph-virtual: classic SPH has no hourglass control");
+  EXPECT_EQ(of_method("sph", &RunCommand::viscosity, std::vector<double>{1, 1, 0.01}),
+            "--viscosity does nothing with sph-corrected: it belongs to classic SPH");
+  EXPECT_EQ(of_method("sph", &RunCommand::mass, "full"),
+            "");  // what a particle at the boundary weighs is a choice there too
   const Scene cell = one_cell(), box = cantilever();
-  EXPECT_EQ(of_resolution(cell, "fem", "10 mm", {}), "--spacing does nothing with fem-full: every body of cell.toml that deforms brings its own cells");
-  EXPECT_EQ(of_resolution(cell, "fem", {}, {4, 4}), "--divisions does nothing with fem-full: every body of cell.toml that deforms brings its own cells");
+  EXPECT_EQ(
+      of_resolution(cell, "fem", "10 mm", {}),
+      "--spacing does nothing with fem-full: every body of cell.toml that deforms brings its own cells");
+  EXPECT_EQ(
+      of_resolution(cell, "fem", {}, {4, 4}),
+      "--divisions does nothing with fem-full: every body of cell.toml that deforms brings its own cells");
   EXPECT_EQ(of_resolution(cell, "fem", {}, {}), "");
   EXPECT_EQ(of_resolution(cell, "sph", "10 mm", {}), "");
   Scene both = cell;
@@ -103,23 +130,30 @@ TEST(Command, AnOptionThatWouldDoNothingIsRefused) {
 TEST(Command, ResolutionsAreOneAxisANumber) {
   const Scene scene = cantilever();  // 1 m x 0.1 m
   EXPECT_EQ(of_resolution(scene, "fem", {}, {}), "how fine? give a spacing, such as --spacing \"10 mm\"");
-  EXPECT_EQ(of_resolution(scene, "fem", "10 mm", {100, 10}), "--spacing and --divisions both say how fine; give one of them");
+  EXPECT_EQ(of_resolution(scene, "fem", "10 mm", {100, 10}),
+            "--spacing and --divisions both say how fine; give one of them");
   EXPECT_THAT(of_resolution(scene, "fem", "-10 mm", {}), HasSubstr("expected a length above zero"));
   EXPECT_THAT(of_resolution(scene, "fem", "nan mm", {}), HasSubstr("--spacing \"nan mm\""));
-  EXPECT_THAT(of_resolution(scene, "fem", {}, {100}), HasSubstr("--divisions: 1 number; expected 2, one along each axis of"));
-  EXPECT_THAT(of_resolution(scene, "fem", {}, {100, 10, 10}), HasSubstr("--divisions: 3 numbers; expected 2"));
-  EXPECT_THAT(of_resolution(scene, "fem", {}, {100, 0}), HasSubstr("--divisions: 0; expected whole numbers from 1 to 1000000"));
-  EXPECT_THAT(of_resolution(scene, "fem", {}, {100, -4}), HasSubstr("--divisions: -4; expected whole numbers"));
+  EXPECT_THAT(of_resolution(scene, "fem", {}, {100}),
+              HasSubstr("--divisions: 1 number; expected 2, one along each axis of"));
+  EXPECT_THAT(
+      of_resolution(scene, "fem", {}, {100, 10, 10}), HasSubstr("--divisions: 3 numbers; expected 2"));
+  EXPECT_THAT(of_resolution(scene, "fem", {}, {100, 0}),
+              HasSubstr("--divisions: 0; expected whole numbers from 1 to 1000000"));
+  EXPECT_THAT(
+      of_resolution(scene, "fem", {}, {100, -4}), HasSubstr("--divisions: -4; expected whole numbers"));
   EXPECT_EQ(of_resolution(scene, "fem", {}, {50, 10}), "");
 }
 
-// SPH honours all divisions or none: 100 x 10 of 1000 x 100 mm are particles 10 mm apart, 50 x 10 would be 20 and 10 mm.
+// SPH honours all divisions or none: 100 x 10 of 1000 x 100 mm are particles 10 mm apart, 50 x 10 would be 20
+// and 10 mm.
 TEST(Command, DivisionsForParticlesMustMeanOneSpacing) {
   const Scene scene = cantilever();
   EXPECT_EQ(of_resolution(scene, "sph", {}, {100, 10}), "");
   EXPECT_DOUBLE_EQ(spacing_of(*scene.bodies[0].shape, {0, {100, 10, 0}}), 0.01);
   EXPECT_EQ(of_resolution(scene, "sph", {}, {50, 10}),
-            "--divisions: SPH has one spacing, and these divisions of the box 1000 x 100 mm mean 20 mm along x and 10 mm along y; give a spacing");
+            "--divisions: SPH has one spacing, and these divisions of the box 1000 x 100 mm mean 20 mm along "
+            "x and 10 mm along y; give a spacing");
 }
 
 TEST(Command, AdviceIsNotConfirmedByTheSameMethodTwice) {

@@ -23,16 +23,22 @@ shape = "box"
 size = ["1 m", "0.5 m"]
 thickness = "1 m"
 material = "m"
-)" + rest, "drift.toml");
+)" + rest,
+                                  "drift.toml");
   RunOptions options;
   options.scalars = {"energy_drift"};
   return run_scene(scene, method_named(method), {0.125, {}}, options);
 }
 
-const std::string spin = "[[initial]]\nspin = \"20 rad/s\"\nvelocity = [\"5 m/s\", \"0 m/s\"]\n[time]\nduration = \"0.1 s\"\nsamples = 50\n";
-const std::string bend = "[[supports]]\nat = \"x-\"\nfix = [\"x\", \"y\"]\n[[initial]]\ngradient = [[\"0 1/s\", \"0 1/s\"], [\"1 1/s\", \"0 1/s\"]]\n[time]\nduration = \"0.05 s\"\nsamples = 50\n";
+const std::string spin =
+    "[[initial]]\nspin = \"20 rad/s\"\nvelocity = [\"5 m/s\", \"0 m/s\"]\n[time]\nduration = \"0.1 "
+    "s\"\nsamples = 50\n";
+const std::string bend =
+    "[[supports]]\nat = \"x-\"\nfix = [\"x\", \"y\"]\n[[initial]]\ngradient = [[\"0 1/s\", \"0 1/s\"], [\"1 "
+    "1/s\", \"0 1/s\"]]\n[time]\nduration = \"0.05 s\"\nsamples = 50\n";
 
-// A free plate that flies and turns keeps both momenta to round-off where forces come in opposite pairs of no moment.
+// A free plate that flies and turns keeps both momenta to round-off where forces come in opposite pairs of no
+// moment.
 TEST(Conservation, AFreeBodyKeepsItsMomenta) {
   for (const char* method : {"fem-full", "fem-one-point", "fem-assumed-strain", "sph-corrected"}) {
     const auto s = run(spin, method, "large").scalars;
@@ -65,7 +71,8 @@ TEST(Conservation, HourglassShareIsOfTheInternalEnergy) {
   double hourglass = 0, internal = 0;
   for (std::size_t i = 0; i < r.history.rows(); ++i) {
     hourglass = std::max(hourglass, r.history["hourglass_energy"].values[i]);
-    internal = std::max(internal, r.history["hourglass_energy"].values[i] + r.history["strain_energy"].values[i]);
+    internal = std::max(
+        internal, r.history["hourglass_energy"].values[i] + r.history["strain_energy"].values[i]);
   }
   EXPECT_GT(hourglass, 0);
   EXPECT_NEAR(r.scalars.at("hourglass_share"), hourglass / internal, 1e-12);

@@ -25,7 +25,8 @@ TEST(Errors, L2OfAScaledProfile) {
   EXPECT_THROW(percent_l2(x, v, std::vector<double>(3, 1.0)), std::invalid_argument);
 }
 
-// One unequal end of an interval of three points: the trapezoid rule weighs it by a quarter of the length against all.
+// One unequal end of an interval of three points: the trapezoid rule weighs it by a quarter of the length
+// against all.
 TEST(Errors, L2WeighsByTheTrapezoidRule) {
   const std::vector<double> x = {0, 1, 2}, r = {1, 1, 1}, v = {2, 1, 1};
   EXPECT_NEAR(*percent_l2(x, v, r), 100 * std::sqrt(0.5 / 2), 1e-12);
@@ -46,7 +47,8 @@ std::vector<double> times(double end, int count) {
   return t;
 }
 
-// 4.18 periods of 1 - cos with a second mode of 1/39 of the amplitude: the step response of a cantilever. 400 samples.
+// 4.18 periods of 1 - cos with a second mode of 1/39 of the amplitude: the step response of a cantilever. 400
+// samples.
 TEST(Errors, FrequencyOfAStepResponse) {
   const double f = 83.552;
   const auto t = times(0.05, 400);

@@ -62,8 +62,8 @@ TEST(LadderSpacing, SaysWhenItExtrapolates) {
   EXPECT_TRUE(spacing_at_error(errors, 40)->extrapolated);
 }
 
-// The error passes through zero between 20 and 10 mm, as the tip of uncorrected SPH does: the answer is the spacing from which
-// on every finer rung is good enough, not the lucky one.
+// The error passes through zero between 20 and 10 mm, as the tip of uncorrected SPH does: the answer is the
+// spacing from which on every finer rung is good enough, not the lucky one.
 TEST(LadderSpacing, SaysWhenTheErrorIsNotMonotone) {
   const Ladder errors = {{20, 1}, {10, -27}, {5, -8}, {2.5, -1.3}};
   const auto found = spacing_at_error(errors, 8);

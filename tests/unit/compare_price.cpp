@@ -21,7 +21,8 @@ using Basis = PricedLadder::Cost::Basis;
 /// In a plane: 1e6 / d^2 units, 1e4 / d steps, 1e-8 s each.
 PricedRung rung(double spacing, double error) {
   PricedRung r{spacing, error, 100 / std::pow(spacing, 3)};
-  r.steps = 1e4 / spacing, r.units = 1e6 / (spacing * spacing), r.dof = 2 * r.units, r.cpu_min = r.cpu_max = r.cpu;
+  r.steps = 1e4 / spacing, r.units = 1e6 / (spacing * spacing), r.dof = 2 * r.units,
+  r.cpu_min = r.cpu_max = r.cpu;
   return r;
 }
 
@@ -51,7 +52,8 @@ TEST(PricedLadder, InterpolatesAndExtrapolatesAPower) {
   EXPECT_FALSE(l.spacing_for(1e-3));
 }
 
-// 9 %, then by luck 0.01 %, then 2 and 0.5: one percent costs what the last rung but a bit costs, not what the lucky one does.
+// 9 %, then by luck 0.01 %, then 2 and 0.5: one percent costs what the last rung but a bit costs, not what
+// the lucky one does.
 TEST(PricedLadder, ALuckyZeroIsNotCredited) {
   const PricedLadder l = ladder({{8, 9}, {4, 0.01}, {2, -2}, {1, -0.5}});
   EXPECT_EQ(l.credited(), (std::vector<double>{9, 2, 2, 0.5}));
@@ -97,7 +99,8 @@ TEST(PricedLadder, RefusesWhatItCannotKnow) {
   EXPECT_THAT(ladder({{4, 4}}).cost_of(5).reason, HasSubstr("fewer than two"));
   EXPECT_THAT(ladder({{4, 4}, {2, 5}, {1, 6}}).cost_of(1).reason, HasSubstr("does not fall"));
   EXPECT_THAT(ladder({{4, 16}, {2, 4}, {1, 1}}).cost_of(1e-4).reason, HasSubstr("times finer"));
-  EXPECT_THAT(ladder({{4, 16}, {2, 4}, {1, 1}}, 0.5).cost_of(0.1).reason, HasSubstr("the reference is known to 0.5 %"));
+  EXPECT_THAT(ladder({{4, 16}, {2, 4}, {1, 1}}, 0.5).cost_of(0.1).reason,
+              HasSubstr("the reference is known to 0.5 %"));
 }
 
 // A fixed part of every step shows in small runs and vanishes in large ones.
@@ -152,13 +155,15 @@ class Prices : public ::testing::Test {
   void SetUp() override {
     folder.write("beam/scene.toml", cantilever_toml);
     study = read_study(folder.write("beam/study.toml", study_toml));
-    // 10 mm (1 + 25 d^2), d in m: an error of 1 % at 20 mm, a quarter of it at 10 mm. SPH errs four times as much.
+    // 10 mm (1 + 25 d^2), d in m: an error of 1 % at 20 mm, a quarter of it at 10 mm. SPH errs four times as
+    // much.
     engine.run = [this](const Scene&, const Method& method, const Resolution& resolution, const RunOptions&) {
       const double d = resolution.spacing;
       RunResult r = result(-0.01 * (1 + (method.is_fem() ? 25 : 100) * d * d), 1, d);
       r.price.steps = long(1 / d), r.price.units = std::size_t(1 / (d * d));
       r.price.cpu = 1e-6 / (d * d * d);
-      r.price.total_cpu = r.price.cpu * (1 + 0.1 * (calls++ / 12));  // the second round takes longer, the third longer still
+      r.price.total_cpu =
+          r.price.cpu * (1 + 0.1 * (calls++ / 12));  // the second round takes longer, the third longer still
       return r;
     };
   }
@@ -192,7 +197,8 @@ TEST_F(Prices, RepeatsRunsAndTakesTheLimitOfALadder) {
 
 TEST_F(Prices, ARepeatedRunMustGiveTheSame) {
   auto once = engine.run;
-  engine.run = [this, once](const Scene& scene, const Method& method, const Resolution& resolution, const RunOptions& options) {
+  engine.run = [this, once](const Scene& scene, const Method& method, const Resolution& resolution,
+                            const RunOptions& options) {
     RunResult r = once(scene, method, resolution, options);
     if (calls == 20) r.history.columns[1].values.back() *= 1 + 1e-12;
     return r;
@@ -206,8 +212,10 @@ TEST_F(Prices, TablesSayWhatAnErrorCosts) {
   ASSERT_EQ(scenes[0].methods.size(), 3u);  // not the ladder that gave the limit
   EXPECT_EQ(scenes[0].methods[1].method, "sph-corrected h=1d");
   const std::string prices = price_csv(scenes);
-  EXPECT_THAT(prices, StartsWith("scene,method,error_percent,cpu_s,spacing_mm,extrapolated,ratio_to_cheapest,basis\r\n"
-                                 "beam,fem-full,2,"));
+  EXPECT_THAT(
+      prices,
+      StartsWith("scene,method,error_percent,cpu_s,spacing_mm,extrapolated,ratio_to_cheapest,basis\r\n"
+                 "beam,fem-full,2,"));
   // 0.5 %: FEM at 20/sqrt(2) mm, SPH at half that, so eight times dearer.
   EXPECT_THAT(prices, HasSubstr("beam,fem-full,0.5,0.388908"));
   EXPECT_THAT(prices, HasSubstr("14.1421"));
@@ -215,21 +223,25 @@ TEST_F(Prices, TablesSayWhatAnErrorCosts) {
   const std::string finer = finer_csv(scenes);
   EXPECT_THAT(finer, HasSubstr("beam,sph-corrected h=1d,fem-full,0.5,14.142"));
   EXPECT_THAT(finer, HasSubstr(",2,8,no,1000\r\n"));
-  EXPECT_THAT(spacing_csv(scenes), AllOf(HasSubstr("beam,fem-full,10,0.25"), HasSubstr("beam,sph-corrected h=1.2d,10,1")));
+  EXPECT_THAT(spacing_csv(scenes),
+              AllOf(HasSubstr("beam,fem-full,10,0.25"), HasSubstr("beam,sph-corrected h=1.2d,10,1")));
   EXPECT_THAT(price_markdown(scenes), HasSubstr("8.0x"));
   EXPECT_THAT(front_csv(scenes[0]), StartsWith("method,cpu_s,error_percent\r\nfem-full,0.1375,1"));
 }
 
 TEST_F(Prices, SlipsInPrices) {
   EXPECT_THAT(message("quantity = \"tip\"", "quantity = \"tpi\""), HasSubstr("did you mean \"tip\"?"));
-  EXPECT_THAT(message("base = \"fem-full\"", "base = \"fem-fully\""), HasSubstr("did you mean \"fem-full\"?"));
+  EXPECT_THAT(
+      message("base = \"fem-full\"", "base = \"fem-fully\""), HasSubstr("did you mean \"fem-full\"?"));
   EXPECT_THAT(message("errors = [2, 0.5]", "errors = [2, -1]"), HasSubstr("no number above 0"));
   EXPECT_THAT(message("errors = [2, 0.5]", "reference = \"theory\""), HasSubstr("has no theory"));
   EXPECT_THAT(message("name = \"beam\"", "name = \"a beam\""), HasSubstr("expected a name of letters"));
   EXPECT_THAT(message("ladder = \"limit\"", "ladder = \"limt\""), HasSubstr("did you mean \"limit\"?"));
-  EXPECT_THAT(message("[\"4 mm\", \"2 mm\", \"1 mm\"]", "[\"4 mm\", \"2 mm\"]"), HasSubstr("at 2 spacings; expected three or more"));
+  EXPECT_THAT(message("[\"4 mm\", \"2 mm\", \"1 mm\"]", "[\"4 mm\", \"2 mm\"]"),
+              HasSubstr("at 2 spacings; expected three or more"));
   EXPECT_THAT(message("supports = [1.0, 1.2]", "supports = [0, 1.2]"), HasSubstr("a number from 0.6 to 4"));
-  EXPECT_THAT(message("methods = [\"fem-full\"]", "methods = [\"fem-full\"]\nsupports = [1.0]"), HasSubstr("\"supports\" with fem-full"));
+  EXPECT_THAT(message("methods = [\"fem-full\"]", "methods = [\"fem-full\"]\nsupports = [1.0]"),
+              HasSubstr("\"supports\" with fem-full"));
   EXPECT_THAT(message("repeat = 3", "repeat = 0"), HasSubstr("repeat"));
 }
 

@@ -1,4 +1,5 @@
-// The reaction of a named support: of a settled body it balances the loads, force and moment, by every method.
+// The reaction of a named support: of a settled body it balances the loads, force and moment, by every
+// method.
 
 #include <gtest/gtest.h>
 
@@ -35,7 +36,8 @@ tolerance = 1e-7
 [time]
 duration = "100 ms"
 samples = 10
-)", "cantilever.toml");
+)",
+                     "cantilever.toml");
 }
 
 TEST(Reaction, OfASettledBodyItBalancesTheLoads) {
@@ -52,7 +54,8 @@ TEST(Reaction, OfASettledBodyItBalancesTheLoads) {
 
 TEST(Reaction, IsThereOnlyIfAskedFor) {
   const RunResult r = run_scene(cantilever(""), method_named("fem-full"), {0.005, {}}, {});
-  for (const Column& column : r.history.columns) EXPECT_EQ(column.name.find("support_"), std::string::npos) << column.name;
+  for (const Column& column : r.history.columns)
+    EXPECT_EQ(column.name.find("support_"), std::string::npos) << column.name;
 }
 
 }  // namespace

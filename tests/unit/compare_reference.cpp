@@ -1,12 +1,12 @@
-// A reference that does not exist is not compared with: limits whose refinements do not converge, ladders without an order of convergence, advice
-// about a number that is infinite. Smooth ones keep their limit.
+// A reference that does not exist is not compared with: limits whose refinements do not converge, ladders
+// without an order of convergence, advice about a number that is infinite. Smooth ones keep their limit.
 
 #include <gmock/gmock.h>
 
 #include <cmath>
 
-#include "compare/price/advise.hpp"
 #include "compare/measure/reduce.hpp"
+#include "compare/price/advise.hpp"
 #include "compare/study/study_limits.hpp"
 #include "compare_support.hpp"
 
@@ -19,7 +19,8 @@ using ::testing::IsEmpty;
 using ::testing::Not;
 using namespace testing;
 
-/// The paper's cantilever at rest: loaded on the corner x+ y+, read at mid height ("tip") and under the load ("under").
+/// The paper's cantilever at rest: loaded on the corner x+ y+, read at mid height ("tip") and under the load
+/// ("under").
 Scene corner_loaded() {
   Scene scene = cantilever();
   scene.loads[0].place.sides = {"x+", "y+"};
@@ -42,20 +43,25 @@ fem::StaticLimit limit_of(double y) {
   limit.sections["inner"] = limit.sections["root"] = {{-1e8 * y}, {0}, {1e8 * y}};
   return limit;
 }
-KnownLimit known(double coarse, double middle, double fine) { return {limit_of(fine), {}, {limit_of(coarse), limit_of(middle)}, 0.7}; }
+KnownLimit known(double coarse, double middle, double fine) {
+  return {limit_of(fine), {}, {limit_of(coarse), limit_of(middle)}, 0.7};
+}
 
 TEST(Reference, ALimitIsDoubtedWhenItsRefinementsDoNotFall) {
   const Scene scene = corner_loaded();
   // A quarter of the change with each halving (order 2), and the change of a logarithm, the same each time.
   EXPECT_EQ(doubt_of(tip(), scene, known(-4.6e-3, -4.75e-3, -4.7875e-3)), "");
   const std::string doubt = doubt_of(tip(), scene, known(-4.79e-3, -4.80e-3, -4.81e-3));
-  EXPECT_THAT(doubt, AllOf(HasSubstr("its refinements change it by 0.21 %, then by 0.21 %"), HasSubstr("does not fall as it would on the way to a limit")));
+  EXPECT_THAT(doubt, AllOf(HasSubstr("its refinements change it by 0.21 %, then by 0.21 %"),
+                           HasSubstr("does not fall as it would on the way to a limit")));
   // 1/h, as under a force on a point in space: the change doubles.
   EXPECT_THAT(doubt_of(tip(), scene, known(-1e-3, -2e-3, -4e-3)), HasSubstr("by 25 %, then by 50 %"));
-  // The slowest that converges here, r^2 lambda with lambda = 0.758 of the clamped corner: 0.35 each time. And what no table shows: 1e-5.
+  // The slowest that converges here, r^2 lambda with lambda = 0.758 of the clamped corner: 0.35 each time.
+  // And what no table shows: 1e-5.
   EXPECT_EQ(doubt_of(tip(), scene, known(-4.7e-3, -4.76e-3, -4.781e-3)), "");
   EXPECT_EQ(doubt_of(tip(), scene, known(-4.79e-3, -4.79002e-3, -4.79004e-3)), "");
-  EXPECT_EQ(doubt_of(tip(), scene, KnownLimit{limit_of(-4.79e-3), {}, {}, 0}), "") << "nothing coarser to look at";
+  EXPECT_EQ(doubt_of(tip(), scene, KnownLimit{limit_of(-4.79e-3), {}, {}, 0}), "")
+      << "nothing coarser to look at";
   // A profile by its norm, and a moment by its value, are judged alike.
   QuantitySpec l2;
   l2.name = "l2", l2.observed = {"", "inner", "", "", "xx", {"%", 1}}, l2.reduce = Reduce::l2;
@@ -68,13 +74,16 @@ TEST(Reference, ALimitIsDoubtedWhenItsRefinementsDoNotFall) {
 TEST(Reference, WhereTheExactValueIsInfiniteThereIsNone) {
   const Scene scene = corner_loaded();
   const KnownLimit smooth = known(-4.6e-3, -4.75e-3, -4.7875e-3);
-  EXPECT_THAT(doubt_of(tip("under"), scene, smooth), AllOf(HasSubstr("a force on a point"), HasSubstr("\"under\" reads there")));
+  EXPECT_THAT(doubt_of(tip("under"), scene, smooth),
+              AllOf(HasSubstr("a force on a point"), HasSubstr("\"under\" reads there")));
   QuantitySpec fibre;
-  fibre.name = "fibre", fibre.observed = {"", "root", "", "", "xx", {"MPa", 1e6}}, fibre.reduce = Reduce::fibre_upper;
+  fibre.name = "fibre", fibre.observed = {"", "root", "", "", "xx", {"MPa", 1e6}},
+  fibre.reduce = Reduce::fibre_upper;
   EXPECT_THAT(doubt_of(fibre, scene, smooth), HasSubstr("where this held side ends"));
   fibre.observed.section = "inner";
   EXPECT_EQ(doubt_of(fibre, scene, smooth), "");
-  fibre.observed.section = "root", fibre.reduce = Reduce::l2;  // the profile's norm is finite: r^-0.24 squared can be integrated
+  fibre.observed.section = "root",
+  fibre.reduce = Reduce::l2;  // the profile's norm is finite: r^-0.24 squared can be integrated
   EXPECT_EQ(doubt_of(fibre, scene, smooth), "");
 }
 
@@ -100,11 +109,14 @@ component = "y"
 unit = "mm"
 )"));
     Engine engine;
-    engine.run = [](const Scene&, const Method&, const Resolution& resolution, const RunOptions&) { return result(-0.005 * (1 + 0.01 * std::log(1 / resolution.spacing)), 1, resolution.spacing); };
+    engine.run = [](const Scene&, const Method&, const Resolution& resolution, const RunOptions&) {
+      return result(-0.005 * (1 + 0.01 * std::log(1 / resolution.spacing)), 1, resolution.spacing);
+    };
     engine.limit = [this](const Scene&, const std::array<int, 3>& divisions, int) {
       const double halvings = std::log2(divisions[0] / 10.0);
       fem::StaticLimit limit;
-      limit.probes["tip"] = {0, -0.005 * (1 + 0.01 * (growth == 1 ? halvings : -std::pow(growth, halvings))), 0};
+      limit.probes["tip"] = {
+          0, -0.005 * (1 + 0.01 * (growth == 1 ? halvings : -std::pow(growth, halvings))), 0};
       limit.sections["inner"] = {{0}, {0}, {0}};
       return limit;
     };
@@ -127,10 +139,14 @@ TEST_F(ReferenceOfAStudy, ALimitThatGrowsAsALogarithmIsNot) {
   EXPECT_FALSE(outcome.rows[0].limit || outcome.rows[0].error_vs_limit_percent);
   EXPECT_TRUE(outcome.rows[0].value);
   EXPECT_THAT(lines[0], HasSubstr("no limit: table.md says why"));
-  EXPECT_THAT(markdown(outcome.rows, orders_of(outcome.rows)), AllOf(HasSubstr("**No limit to compare with**"), HasSubstr("- beam tip in scene.toml: its refinements change it by"), Not(HasSubstr("error vs limit"))));
+  EXPECT_THAT(markdown(outcome.rows, orders_of(outcome.rows)),
+              AllOf(HasSubstr("**No limit to compare with**"),
+                    HasSubstr("- beam tip in scene.toml: its refinements change it by"),
+                    Not(HasSubstr("error vs limit"))));
   // A claim about such an error has no answer.
   Claim claim;
-  claim.kind = Claim::Kind::below, claim.bound = 100, claim.reference = Reference::limit, claim.rows.quantity = "tip";
+  claim.kind = Claim::Kind::below, claim.bound = 100, claim.reference = Reference::limit,
+  claim.rows.quantity = "tip";
   const auto verdict = judge({claim}, outcome.rows)[0];
   EXPECT_EQ(verdict.holds, Verdict::Holds::unknown);
   EXPECT_THAT(verdict.note, HasSubstr("no limit: its refinements"));
@@ -155,7 +171,8 @@ class ReferenceOfAdvice : public ::testing::Test {
 
   ReferenceOfAdvice() {
     question.quantity = tip();
-    question.methods = {method_named("fem-full"), method_named("fem-assumed-strain"), method_named("sph-corrected")};
+    question.methods = {
+        method_named("fem-full"), method_named("fem-assumed-strain"), method_named("sph-corrected")};
     question.error = 1;
     question.budget = 50;
   }
@@ -164,7 +181,9 @@ class ReferenceOfAdvice : public ::testing::Test {
     engine.run = [this](const Scene&, const Method& method, const Resolution& resolution, const RunOptions&) {
       ++runs;
       // Assumed strain has hardly any error of its own, so that it shows the logarithm first.
-      const double d = resolution.spacing, c = method.name == "fem-assumed-strain" ? 0.01 : method.is_fem() ? 10 : 40;
+      const double d = resolution.spacing, c = method.name == "fem-assumed-strain" ? 0.01
+                                               : method.is_fem()                   ? 10
+                                                                                   : 40;
       RunResult r = result(-0.005 * (1 + c * d * d - logarithm * std::log(d)), 1, d);
       r.price.steps = std::lround(1e4 / d), r.price.units = std::size_t(std::lround(10 / (d * d)));
       r.price.total_cpu = r.price.cpu = 1e-6 / (d * d * d);
@@ -177,15 +196,19 @@ class ReferenceOfAdvice : public ::testing::Test {
 TEST_F(ReferenceOfAdvice, OfASmoothNumberConfidenceIsGoodAndSaysWhy) {
   const Advice advice = ask();
   ASSERT_TRUE(advice.best) << advice.refusal;
-  EXPECT_THAT(describe(scene, question, advice), AllOf(HasSubstr("3 of 3 methods"), HasSubstr("orders 2.00 to 2.00"), HasSubstr("confidence good"),
-                                                       HasSubstr("tip of body box, component y; one of 2 probes (--probe names another)")));
+  EXPECT_THAT(
+      describe(scene, question, advice),
+      AllOf(HasSubstr("3 of 3 methods"), HasSubstr("orders 2.00 to 2.00"), HasSubstr("confidence good"),
+            HasSubstr("tip of body box, component y; one of 2 probes (--probe names another)")));
 }
 
 TEST_F(ReferenceOfAdvice, ALogarithmIsNotALimit) {
   logarithm = 0.004;
   const Advice advice = ask();
   EXPECT_FALSE(advice.best);
-  EXPECT_THAT(advice.refusal, AllOf(HasSubstr("the values of fem-assumed-strain go on changing from spacing to spacing"), HasSubstr("there may be no limit to be near to")));
+  EXPECT_THAT(advice.refusal,
+              AllOf(HasSubstr("the values of fem-assumed-strain go on changing from spacing to spacing"),
+                    HasSubstr("there may be no limit to be near to")));
   EXPECT_THAT(describe(scene, question, advice), Not(HasSubstr("confidence good")));
 }
 
@@ -193,15 +216,19 @@ TEST_F(ReferenceOfAdvice, AnInfiniteNumberIsRefusedBeforeAnyRun) {
   question.quantity = tip("under");
   const Advice advice = ask();
   EXPECT_EQ(runs, 0);
-  EXPECT_THAT(advice.refusal, HasSubstr("a force on a point: the exact displacement and stress there are infinite"));
-  EXPECT_THAT(describe(scene, question, advice), AllOf(HasSubstr("none: a force on a point"), Not(HasSubstr("confidence"))));
+  EXPECT_THAT(
+      advice.refusal, HasSubstr("a force on a point: the exact displacement and stress there are infinite"));
+  EXPECT_THAT(describe(scene, question, advice),
+              AllOf(HasSubstr("none: a force on a point"), Not(HasSubstr("confidence"))));
 }
 
 TEST_F(ReferenceOfAdvice, APointSupportTakesTheConfidence) {
   scene.supports[0].place.sides = {"x-", "y-"};  // with the force down it bears a reaction
   const Advice advice = ask();
   ASSERT_TRUE(advice.best) << advice.refusal;
-  EXPECT_THAT(describe(scene, question, advice), AllOf(HasSubstr("but there is a support on a point: if it bears a reaction"), HasSubstr("confidence low")));
+  EXPECT_THAT(describe(scene, question, advice),
+              AllOf(HasSubstr("but there is a support on a point: if it bears a reaction"),
+                    HasSubstr("confidence low")));
 }
 
 }  // namespace

@@ -1,4 +1,5 @@
-// At rest means equilibrium, by either method of settling: the tolerance bounds what is missing of the reaction and of the displacement.
+// At rest means equilibrium, by either method of settling: the tolerance bounds what is missing of the
+// reaction and of the displacement.
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -34,19 +35,24 @@ name = "root"
 [[loads]]
 at = "x+"
 force = ["0 N", "-1 kN"]
-)" + std::string(history) + R"([[probes]]
+)" + std::string(history) +
+                         R"([[probes]]
 name = "tip"
 quantity = "displacement"
 point = ["1000 mm", "50 mm"]
 [settling]
-)" + settling + "[time]\nduration = \"" + duration + "\"\nsamples = 10\n", "settling.toml");
+)" + settling + "[time]\nduration = \"" +
+                         duration + "\"\nsamples = 10\n",
+                     "settling.toml");
 }
 
 double last(const RunResult& r, const char* column) { return r.history[column].values.back(); }
 
 TEST(Settling, BothMethodsComeToTheSameRestInComparableTimes) {
   for (const char* method : {"fem-full", "fem-assumed-strain", "sph-corrected"}) {
-    const auto run = [&](const char* settling) { return run_scene(cantilever(settling), method_named(method), {0.025, {}}, {}); };
+    const auto run = [&](const char* settling) {
+      return run_scene(cantilever(settling), method_named(method), {0.025, {}}, {});
+    };
     const RunResult exact = run("method = \"damping\"\ntolerance = 1e-8\n");
     ASSERT_TRUE(exact.settled) << method << testing::PrintToString(exact.warnings);
     double steps[2];
@@ -66,14 +72,19 @@ TEST(Settling, BothMethodsComeToTheSameRestInComparableTimes) {
 
 // Strong damping creeps: hardly any kinetic energy, and far from the end.
 TEST(Settling, ABodyThatCreepsIsNotAtRest) {
-  const RunResult r = run_scene(cantilever("method = \"damping\"\nrate = \"400000 1/s\"\n", "20 ms"), method_named("fem-full"), {0.025, {}}, {});
+  const RunResult r = run_scene(cantilever("method = \"damping\"\nrate = \"400000 1/s\"\n", "20 ms"),
+                                method_named("fem-full"), {0.025, {}}, {});
   EXPECT_FALSE(r.settled);
-  EXPECT_THAT(r.warnings, testing::Contains(testing::AllOf(HasSubstr("not settled within"), HasSubstr("for a tolerance of 0.0001"), HasSubstr("no static state"))));
+  EXPECT_THAT(r.warnings, testing::Contains(testing::AllOf(
+                              HasSubstr("not settled within"), HasSubstr("for a tolerance of 0.0001"),
+                              HasSubstr("no static state"))));
 }
 
 // Nor is one whose load is still growing, however slowly it is followed.
 TEST(Settling, ABodyIsNotAtRestBeforeItsLoadIs) {
-  const RunResult r = run_scene(cantilever("method = \"damping\"\ntolerance = 0.05\n", "60 ms", "history = {ramp = \"40 ms\"}\n"), method_named("fem-full"), {0.05, {}}, {});
+  const RunResult r = run_scene(
+      cantilever("method = \"damping\"\ntolerance = 0.05\n", "60 ms", "history = {ramp = \"40 ms\"}\n"),
+      method_named("fem-full"), {0.05, {}}, {});
   EXPECT_TRUE(r.settled);
   EXPECT_GE(r.history["time"].values.back(), 0.04 - 1e-9);
   EXPECT_NEAR(last(r, "support_root_force_y"), 1000, 1000 * 0.05);

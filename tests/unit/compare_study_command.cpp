@@ -56,10 +56,12 @@ class StudyCommandTest : public ::testing::Test {
 
 TEST_F(StudyCommandTest, WritesTablesDataAndClaims) {
   EXPECT_EQ(study_command(command, engine), 0);
-  EXPECT_THAT(folder.read("results/beam/table.csv"), HasSubstr("beam,d=10mm,fem-full,10,10,tip,-4.80952381,mm,-4.761904762,1,"));
+  EXPECT_THAT(folder.read("results/beam/table.csv"),
+              HasSubstr("beam,d=10mm,fem-full,10,10,tip,-4.80952381,mm,-4.761904762,1,"));
   EXPECT_THAT(folder.read("results/beam/orders.csv"), HasSubstr("beam,fem-full,tip,theory,20 10,1,1,,mm"));
   EXPECT_EQ(folder.read("results/beam/data/error.csv"), "spacing_mm,fem-full\r\n20,2\r\n10,1\r\n");
-  EXPECT_THAT(folder.read("results/beam/claims.csv"), HasSubstr("fine,fig 1,10 mm are fine enough,below 1.5 %,+1 %,yes,"));
+  EXPECT_THAT(folder.read("results/beam/claims.csv"),
+              HasSubstr("fine,fig 1,10 mm are fine enough,below 1.5 %,+1 %,yes,"));
   EXPECT_THAT(folder.read("studies/beam/README.md"), Not(HasSubstr("4.8")));
 }
 
@@ -80,7 +82,9 @@ TEST_F(StudyCommandTest, QuickForm) {
 }
 
 TEST_F(StudyCommandTest, AFailedRunIsAnExitCode) {
-  engine.run = [](const Scene&, const Method&, const Resolution&, const RunOptions&) -> RunResult { throw std::runtime_error("no luck"); };
+  engine.run = [](const Scene&, const Method&, const Resolution&, const RunOptions&) -> RunResult {
+    throw std::runtime_error("no luck");
+  };
   EXPECT_EQ(study_command(command, engine), 3);
   EXPECT_THAT(folder.read("results/beam/table.csv"), HasSubstr("no luck"));
 }

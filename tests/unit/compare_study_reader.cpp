@@ -73,7 +73,8 @@ class StudyReader : public ::testing::Test {
       read(text);
     } catch (const InputError& e) {
       std::string all = e.what();
-      for (std::size_t at; (at = all.find(file)) != std::string::npos;) all.replace(at, file.size(), "study.toml");
+      for (std::size_t at; (at = all.find(file)) != std::string::npos;)
+        all.replace(at, file.size(), "study.toml");
       return all;
     }
     return "";
@@ -112,53 +113,74 @@ TEST_F(StudyReader, FindsAllFaultsAtOnceWithTheirPlaces) {
   std::string text = with(good, "\"fem-sri\"", "\"fem-sir\"");
   text = with(text, "safety = 0.5", "saftey = 0.5");
   text = with(text, "theory = \"cantilever_tip\"", "theory = \"cantilver_tip\"");
-  EXPECT_THAT(message(text), AllOf(HasSubstr("study.toml:7:11: "), HasSubstr("did you mean \"fem-sri\"?"),
-                                   HasSubstr("study.toml:14:1: unknown key \"saftey\""), HasSubstr("did you mean \"safety\"?"),
-                                   HasSubstr("study.toml:21:10: "), HasSubstr("did you mean \"cantilever_tip\"?")));
+  EXPECT_THAT(
+      message(text),
+      AllOf(HasSubstr("study.toml:7:11: "), HasSubstr("did you mean \"fem-sri\"?"),
+            HasSubstr("study.toml:14:1: unknown key \"saftey\""), HasSubstr("did you mean \"safety\"?"),
+            HasSubstr("study.toml:21:10: "), HasSubstr("did you mean \"cantilever_tip\"?")));
 }
 
 TEST_F(StudyReader, SlipsInRuns) {
-  EXPECT_THAT(message(with(good, "\"40x4\"]", "\"40*4\"]")), HasSubstr("\"40*4\" in \"divisions\"; expected 2 whole numbers"));
+  EXPECT_THAT(message(with(good, "\"40x4\"]", "\"40*4\"]")),
+              HasSubstr("\"40*4\" in \"divisions\"; expected 2 whole numbers"));
   EXPECT_THAT(message(with(good, "\"40x4\"]", "\"40x4x2\"]")), HasSubstr("expected 2 whole numbers"));
-  EXPECT_THAT(message(with(good, "cases = [\"1_1\", \"1_2\"]", "cases = [\"1_1\"]")), HasSubstr("1 cases for 2 resolutions"));
-  EXPECT_THAT(message(with(good, "quick = [\"1_1\"]", "quick = [\"1_11\"]")), HasSubstr("did you mean \"1_1\"?"));
-  EXPECT_THAT(message(with(good, "smoothing = 1.2", "smothing = 1.2")), HasSubstr("did you mean \"smoothing\"?"));
-  EXPECT_THAT(message(with(good, "smoothing = 1.2", "smoothing = 0")), HasSubstr("\"smoothing\" is 0; expected a number from 0.6 to 4"));
-  EXPECT_THAT(message(with(good, "safety = 0.5", "safety = 2.5")), HasSubstr("\"safety\" is 2.5; expected a number above 0, up to 2"));
-  EXPECT_THAT(message(with(good, "quick = [\"1_1\"]", "spacing = [\"1 mm\"]")), HasSubstr("expected either \"spacing\""));
-  EXPECT_THAT(message(with(good, "quick = [\"1_1\"]", "scene = \"none.toml\"")), HasSubstr("the scene \"none.toml\" cannot be used"));
+  EXPECT_THAT(message(with(good, "cases = [\"1_1\", \"1_2\"]", "cases = [\"1_1\"]")),
+              HasSubstr("1 cases for 2 resolutions"));
+  EXPECT_THAT(
+      message(with(good, "quick = [\"1_1\"]", "quick = [\"1_11\"]")), HasSubstr("did you mean \"1_1\"?"));
+  EXPECT_THAT(
+      message(with(good, "smoothing = 1.2", "smothing = 1.2")), HasSubstr("did you mean \"smoothing\"?"));
+  EXPECT_THAT(message(with(good, "smoothing = 1.2", "smoothing = 0")),
+              HasSubstr("\"smoothing\" is 0; expected a number from 0.6 to 4"));
+  EXPECT_THAT(message(with(good, "safety = 0.5", "safety = 2.5")),
+              HasSubstr("\"safety\" is 2.5; expected a number above 0, up to 2"));
+  EXPECT_THAT(message(with(good, "quick = [\"1_1\"]", "spacing = [\"1 mm\"]")),
+              HasSubstr("expected either \"spacing\""));
+  EXPECT_THAT(message(with(good, "quick = [\"1_1\"]", "scene = \"none.toml\"")),
+              HasSubstr("the scene \"none.toml\" cannot be used"));
 }
 
 TEST_F(StudyReader, SlipsInQuantitiesAndSeries) {
   EXPECT_THAT(message(with(good, "probe = \"tip\"", "probe = \"tpi\"")),
               HasSubstr("study.toml:17:9: no probe is called \"tpi\" in scene.toml"));
-  EXPECT_THAT(message(with(good, "component = \"y\"", "component = \"yy\"")), HasSubstr("expected \"x\" or \"y\""));
-  EXPECT_THAT(message(with(good, "unit = \"mm\"", "unit = \"MPa\"")), HasSubstr("expected a unit of the same kind as \"m\""));
-  EXPECT_THAT(message(with(good, "reduce = \"l2\"", "reduce = \"max\"")), HasSubstr("\"reduce\" does not fit"));
-  EXPECT_THAT(message(with(good, "theory = \"cantilever_tip\"", "theory = \"bar_stress\"")), HasSubstr("bar theory needs"));
-  EXPECT_THAT(message(with(good, "theory = \"cantilever_tip\"", "theory = \"cantilever_tip_history\"")), HasSubstr("depends on time"));
-  EXPECT_THAT(message(with(good, "file = \"tip.csv\"", "file = \"../tip.csv\"")), HasSubstr("\"file\" is \"../tip.csv\""));
-  EXPECT_THAT(message(with(good, "kind = \"history\"", "kind = \"profile\"")), HasSubstr("\"kind\" does not fit"));
+  EXPECT_THAT(
+      message(with(good, "component = \"y\"", "component = \"yy\"")), HasSubstr("expected \"x\" or \"y\""));
+  EXPECT_THAT(message(with(good, "unit = \"mm\"", "unit = \"MPa\"")),
+              HasSubstr("expected a unit of the same kind as \"m\""));
+  EXPECT_THAT(
+      message(with(good, "reduce = \"l2\"", "reduce = \"max\"")), HasSubstr("\"reduce\" does not fit"));
+  EXPECT_THAT(message(with(good, "theory = \"cantilever_tip\"", "theory = \"bar_stress\"")),
+              HasSubstr("bar theory needs"));
+  EXPECT_THAT(message(with(good, "theory = \"cantilever_tip\"", "theory = \"cantilever_tip_history\"")),
+              HasSubstr("depends on time"));
+  EXPECT_THAT(message(with(good, "file = \"tip.csv\"", "file = \"../tip.csv\"")),
+              HasSubstr("\"file\" is \"../tip.csv\""));
+  EXPECT_THAT(
+      message(with(good, "kind = \"history\"", "kind = \"profile\"")), HasSubstr("\"kind\" does not fit"));
 }
 
 TEST_F(StudyReader, AnOffsetHasTheUnitOfTheTable) {
   const auto moved = [&](const std::string& key) { return with(good, "sign = \"reversed\"", key); };
   EXPECT_THAT(message(moved("offset = \"1 MPa\"")), HasSubstr("\"offset\": "));
-  EXPECT_THAT(message(moved("offset = \"1 cm\"")), HasSubstr("\"offset\" moves the value away from theory and limit"));
-  std::string text = with(moved("offset = \"1 cm\""), "theory = \"cantilever_tip\"\n[[quantities]]", "reference = \"7 mm\"\n[[quantities]]");
+  EXPECT_THAT(message(moved("offset = \"1 cm\"")),
+              HasSubstr("\"offset\" moves the value away from theory and limit"));
+  std::string text = with(moved("offset = \"1 cm\""), "theory = \"cantilever_tip\"\n[[quantities]]",
+                          "reference = \"7 mm\"\n[[quantities]]");
   text = with(text, "[limit]\ndivisions = \"40x4\"\ndegree = 2\n", "");
   EXPECT_DOUBLE_EQ(read(text).quantities[0].offset, 10);  // mm
 }
 
 // A filter that no planned run fits is found before the runs, even if each of its words exists.
 TEST_F(StudyReader, SlipsInPaperAndClaims) {
-  EXPECT_THAT(message(with(good, "value = \"0.4765 cm\"", "value = \"0.4765 MPa\"")), HasSubstr("\"value\": "));
+  EXPECT_THAT(
+      message(with(good, "value = \"0.4765 cm\"", "value = \"0.4765 MPa\"")), HasSubstr("\"value\": "));
   EXPECT_THAT(message(with(good, "method = \"fem-full\", quantity", "method = \"sph-corrected\", quantity")),
               HasSubstr("no run has the method"));
-  EXPECT_THAT(
-      message(with(good, "method = \"fem-full\", quantity", "method = \"sph-corrected smoothing=1.2 kernel=wendland-c2\", quantity")),
-      HasSubstr("no run of the study gives 1_1 sph-corrected"));
-  EXPECT_THAT(message(with(good, "bound = 10", "bond = 10")), AllOf(HasSubstr("missing \"bound\""), HasSubstr("did you mean \"bound\"?")));
+  EXPECT_THAT(message(with(good, "method = \"fem-full\", quantity",
+                           "method = \"sph-corrected smoothing=1.2 kernel=wendland-c2\", quantity")),
+              HasSubstr("no run of the study gives 1_1 sph-corrected"));
+  EXPECT_THAT(message(with(good, "bound = 10", "bond = 10")),
+              AllOf(HasSubstr("missing \"bound\""), HasSubstr("did you mean \"bound\"?")));
 }
 
 TEST_F(StudyReader, CollectsItsNeighbours) {
@@ -176,18 +198,24 @@ TEST_F(StudyReader, CollectsItsNeighbours) {
 
 // A study of no scene has none whose price or limit could be told.
 TEST_F(StudyReader, AdviceWithoutAScene) {
-  const std::string text = "title = \"x\"\n[[quantities]]\nname = \"tip\"\nprobe = \"tip\"\n[[advice]]\nquantity = \"tip\"\nerror = 1\n";
+  const std::string text =
+      "title = \"x\"\n[[quantities]]\nname = \"tip\"\nprobe = \"tip\"\n[[advice]]\nquantity = \"tip\"\nerror "
+      "= 1\n";
   EXPECT_THAT(message(text), HasSubstr("the study runs nothing"));
 }
 
-TEST_F(StudyReader, AStudyOfNothingIsNone) { EXPECT_THAT(message("title = \"x\"\n"), HasSubstr("the study runs nothing")); }
+TEST_F(StudyReader, AStudyOfNothingIsNone) {
+  EXPECT_THAT(message("title = \"x\"\n"), HasSubstr("the study runs nothing"));
+}
 
 // The studies of this repository can be read, and their theory can speak of their scenes.
 TEST(Studies, AreAllReadable) {
-  for (const std::string name : {"uniaxial", "boundary", "fem-mesh", "spacing", "depth", "return-mapping", "two-blocks", "rc-beam", "plastic-beam", "cost", "paper"}) {
+  for (const std::string name : {"uniaxial", "boundary", "fem-mesh", "spacing", "depth", "return-mapping",
+                                 "two-blocks", "rc-beam", "plastic-beam", "cost", "paper"}) {
     const Study study = read_study(std::string(FEMSPH_SOURCE_DIR) + "/studies/" + name + "/study.toml");
     EXPECT_EQ(study.name, name);
-    EXPECT_TRUE(!study.collected.empty() || std::any_of(study.runs.begin(), study.runs.end(), [](const auto& run) { return run.quick; }))
+    EXPECT_TRUE(!study.collected.empty() ||
+                std::any_of(study.runs.begin(), study.runs.end(), [](const auto& run) { return run.quick; }))
         << name;
   }
 }

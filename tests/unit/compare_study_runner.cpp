@@ -2,8 +2,8 @@
 
 #include <gmock/gmock.h>
 
-#include "compare/report/figures.hpp"
 #include "compare/measure/reduce.hpp"
+#include "compare/report/figures.hpp"
 #include "compare/study/series.hpp"
 #include "compare/study/study_runner.hpp"
 #include "compare_support.hpp"
@@ -100,7 +100,8 @@ class StudyRunner : public ::testing::Test {
       return result(static_tip * (1 + resolution.spacing), 0.9 * 135e6, resolution.spacing);
     };
     engine.limit = [](const Scene&, const std::array<int, 3>& divisions, int degree) {
-      EXPECT_TRUE(divisions[0] == 40 || divisions[0] == 20 || divisions[0] == 10) << "the limit, and what tells that it is one";
+      EXPECT_TRUE(divisions[0] == 40 || divisions[0] == 20 || divisions[0] == 10)
+          << "the limit, and what tells that it is one";
       EXPECT_EQ(degree, 4);
       fem::StaticLimit limit;
       limit.probes["tip"] = {0, 1.01 * static_tip, 0};
@@ -164,7 +165,9 @@ TEST_F(StudyRunner, QuickFormRunsItsPart) {
 }
 
 TEST_F(StudyRunner, WithoutALimitTheRunsStillCount) {
-  engine.limit = [](const Scene&, const std::array<int, 3>&, int) -> fem::StaticLimit { throw std::runtime_error("out of memory"); };
+  engine.limit = [](const Scene&, const std::array<int, 3>&, int) -> fem::StaticLimit {
+    throw std::runtime_error("out of memory");
+  };
   const StudyOutcome outcome = run(true);
   EXPECT_EQ(outcome.failures, 1);
   EXPECT_THAT(lines[0], HasSubstr("limit of scene.toml: out of memory"));
@@ -186,8 +189,10 @@ TEST_F(StudyRunner, AMissingProbeIsARowWithAReason) {
 
 TEST_F(StudyRunner, SeriesOfErrors) {
   const StudyOutcome outcome = run();
-  EXPECT_EQ(series_csv(study.series[0], study, outcome), "spacing_mm,fem-full,sph-corrected\r\n20,2,2\r\n10,1,\r\n");
-  EXPECT_EQ(series_csv(study.series[1], study, outcome), "case,fem-full,sph-corrected\r\nd=10mm,1,\r\nd=20mm,2,2\r\n");
+  EXPECT_EQ(series_csv(study.series[0], study, outcome),
+            "spacing_mm,fem-full,sph-corrected\r\n20,2,2\r\n10,1,\r\n");
+  EXPECT_EQ(series_csv(study.series[1], study, outcome),
+            "case,fem-full,sph-corrected\r\nd=10mm,1,\r\nd=20mm,2,2\r\n");
 }
 
 TEST_F(StudyRunner, SeriesOfHistoriesAndProfiles) {
@@ -257,7 +262,8 @@ TEST(Reduce, DurationIsFromTheFirstToTheLastSampleThatIsNotZero) {
   EXPECT_DOUBLE_EQ(reduced.value, 2);
   EXPECT_NEAR(*reduced.error_percent, -20, 1e-9);
   r.history.columns[1].values.assign(7, 0);
-  EXPECT_THAT([&] { reduce(quantity, r, cantilever(), nullptr); }, ::testing::ThrowsMessage<std::runtime_error>(HasSubstr("has no duration")));
+  EXPECT_THAT([&] { reduce(quantity, r, cantilever(), nullptr); },
+              ::testing::ThrowsMessage<std::runtime_error>(HasSubstr("has no duration")));
 }
 
 // gnuplot itself may be missing; either way the reason is one message.

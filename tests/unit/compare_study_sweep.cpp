@@ -1,5 +1,5 @@
-// What a study asks that no run of it can answer is said when it is read: windows beyond the run, theories in another unit, two numbers of one name,
-// bounds of no row; and a claim without its rows is not answered.
+// What a study asks that no run of it can answer is said when it is read: windows beyond the run, theories in
+// another unit, two numbers of one name, bounds of no row; and a claim without its rows is not answered.
 
 #include <gmock/gmock.h>
 
@@ -21,48 +21,77 @@ class StudySweep : public ::testing::Test {
 
   std::string faults(const std::string& rest) const {
     try {
-      parse_study("title = \"A study\"\n[[runs]]\nmethods = [\"fem-full\", \"fem-sri\"]\nspacing = [\"20 mm\", \"10 mm\"]\n" + rest, folder / "beam/study.toml");
+      parse_study(
+          "title = \"A study\"\n[[runs]]\nmethods = [\"fem-full\", \"fem-sri\"]\nspacing = [\"20 mm\", \"10 "
+          "mm\"]\n" +
+              rest,
+          folder / "beam/study.toml");
     } catch (const InputError& e) {
       return e.what();
     }
     return "";
   }
-  static std::string tip(const std::string& more) { return "[[quantities]]\nname = \"tip\"\nprobe = \"tip\"\ncomponent = \"y\"\nunit = \"mm\"\n" + more; }
-  static std::string inner(const std::string& more) { return "[[quantities]]\nname = \"inner\"\nsection = \"inner\"\n" + more; }
+  static std::string tip(const std::string& more) {
+    return "[[quantities]]\nname = \"tip\"\nprobe = \"tip\"\ncomponent = \"y\"\nunit = \"mm\"\n" + more;
+  }
+  static std::string inner(const std::string& more) {
+    return "[[quantities]]\nname = \"inner\"\nsection = \"inner\"\n" + more;
+  }
 };
 
 TEST_F(StudySweep, Windows) {
   EXPECT_EQ(faults(tip("reduce = \"mean\"\nwindow = [\"0 ms\", \"50 ms\"]\n")), "");
-  EXPECT_THAT(faults(tip("reduce = \"mean\"\nwindow = [\"40 ms\", \"60 ms\"]\n")), HasSubstr("\"window\" goes on to 60 ms, and scene.toml to 50 ms; expected a window within the run"));
-  EXPECT_THAT(faults(inner("component = \"xx\"\nunit = \"MPa\"\nreduce = \"fibre_upper\"\nwindow = [\"0 ms\", \"50 ms\"]\n")), HasSubstr("\"window\" with a section or a scalar"));
+  EXPECT_THAT(
+      faults(tip("reduce = \"mean\"\nwindow = [\"40 ms\", \"60 ms\"]\n")),
+      HasSubstr("\"window\" goes on to 60 ms, and scene.toml to 50 ms; expected a window within the run"));
+  EXPECT_THAT(
+      faults(inner(
+          "component = \"xx\"\nunit = \"MPa\"\nreduce = \"fibre_upper\"\nwindow = [\"0 ms\", \"50 ms\"]\n")),
+      HasSubstr("\"window\" with a section or a scalar"));
 }
 
 TEST_F(StudySweep, TheoriesInTheUnitOfWhatIsRead) {
   EXPECT_EQ(faults(tip("theory = \"cantilever_tip\"\n")), "");
-  EXPECT_THAT(faults(tip("theory = \"cantilever_stress\"\n")), HasSubstr("cantilever_stress is in Pa, and what is read is in m"));
-  EXPECT_THAT(faults(inner("component = \"xx\"\nreduce = \"l2\"\ntheory = \"cantilever_strain\"\n")), HasSubstr("cantilever_strain is in 1, and what is read is in Pa"));
+  EXPECT_THAT(faults(tip("theory = \"cantilever_stress\"\n")),
+              HasSubstr("cantilever_stress is in Pa, and what is read is in m"));
+  EXPECT_THAT(faults(inner("component = \"xx\"\nreduce = \"l2\"\ntheory = \"cantilever_strain\"\n")),
+              HasSubstr("cantilever_strain is in 1, and what is read is in Pa"));
   EXPECT_EQ(faults(inner("component = \"xx\"\nreduce = \"l2\"\ntheory = \"cantilever_stress\"\n")), "");
-  EXPECT_THAT(faults("[[quantities]]\nname = \"f\"\nprobe = \"tip\"\ncomponent = \"y\"\nreduce = \"frequency\"\ntheory = \"cantilever_tip\"\n"), HasSubstr("is in m, and what is read is in Hz"));
+  EXPECT_THAT(faults("[[quantities]]\nname = \"f\"\nprobe = \"tip\"\ncomponent = \"y\"\nreduce = "
+                     "\"frequency\"\ntheory = \"cantilever_tip\"\n"),
+              HasSubstr("is in m, and what is read is in Hz"));
 }
 
 TEST_F(StudySweep, ReductionsThatDoNotFit) {
-  EXPECT_THAT(faults(inner("component = \"yy\"\nreduce = \"moment\"\nunit = \"kN m\"\n")), HasSubstr("a moment is of the stress xx, and the component is \"yy\""));
-  EXPECT_THAT(faults(inner("component = \"xx\"\nreduce = \"l2\"\ntheory = \"cantilever_stress\"\nsign = \"reversed\"\n")), HasSubstr("l2 is a distance from theory or limit"));
-  EXPECT_THAT(faults("[[quantities]]\nname = \"i\"\nprobe = \"tip\"\ncomponent = \"y\"\nreduce = \"integral\"\n"), HasSubstr("the integral over time is that of a force, in N s; what is read is in m"));
-  EXPECT_THAT(faults("[[quantities]]\nname = \"s\"\nscalar = \"critical_step\"\nreduce = \"mean\"\n"), HasSubstr("a scalar is one number of the whole run"));
-  EXPECT_THAT(faults("[[quantities]]\nname = \"k\"\ncolumn = \"kinetic_energy\"\nunit = \"mm\"\n"), HasSubstr("expected a unit of the same kind as \"J\""));
+  EXPECT_THAT(faults(inner("component = \"yy\"\nreduce = \"moment\"\nunit = \"kN m\"\n")),
+              HasSubstr("a moment is of the stress xx, and the component is \"yy\""));
+  EXPECT_THAT(
+      faults(inner(
+          "component = \"xx\"\nreduce = \"l2\"\ntheory = \"cantilever_stress\"\nsign = \"reversed\"\n")),
+      HasSubstr("l2 is a distance from theory or limit"));
+  EXPECT_THAT(
+      faults("[[quantities]]\nname = \"i\"\nprobe = \"tip\"\ncomponent = \"y\"\nreduce = \"integral\"\n"),
+      HasSubstr("the integral over time is that of a force, in N s; what is read is in m"));
+  EXPECT_THAT(faults("[[quantities]]\nname = \"s\"\nscalar = \"critical_step\"\nreduce = \"mean\"\n"),
+              HasSubstr("a scalar is one number of the whole run"));
+  EXPECT_THAT(faults("[[quantities]]\nname = \"k\"\ncolumn = \"kinetic_energy\"\nunit = \"mm\"\n"),
+              HasSubstr("expected a unit of the same kind as \"J\""));
 }
 
 TEST_F(StudySweep, OneNameForOneNumber) {
-  EXPECT_THAT(faults(tip("") + tip("reduce = \"peak\"\n")), HasSubstr("two quantities of the run d=20mm fem-full are called \"tip\""));
+  EXPECT_THAT(faults(tip("") + tip("reduce = \"peak\"\n")),
+              HasSubstr("two quantities of the run d=20mm fem-full are called \"tip\""));
   EXPECT_EQ(faults(tip("methods = [\"fem-full\"]\n") + tip("methods = [\"fem-sri\"]\n")), "");
 }
 
 TEST_F(StudySweep, BoundsAndExpectationsOfSomeRow) {
   const std::string only = tip("methods = [\"fem-full\"]\nreference = \"-4.8 mm\"\n");
-  EXPECT_EQ(faults(only + "[[bounds]]\nmethods = [\"fem-full\"]\nquantity = \"tip\"\nerror_percent = 1\n"), "");
-  EXPECT_THAT(faults(only + "[[bounds]]\nmethods = [\"fem-sri\"]\nquantity = \"tip\"\nlow = 0\n"), HasSubstr("no run gives these cases, methods and quantity together"));
-  EXPECT_THAT(faults(tip("") + "[[bounds]]\nerror_percent = 1\n"), HasSubstr("no quantity of this bound has a theory or a reference to err from"));
+  EXPECT_EQ(
+      faults(only + "[[bounds]]\nmethods = [\"fem-full\"]\nquantity = \"tip\"\nerror_percent = 1\n"), "");
+  EXPECT_THAT(faults(only + "[[bounds]]\nmethods = [\"fem-sri\"]\nquantity = \"tip\"\nlow = 0\n"),
+              HasSubstr("no run gives these cases, methods and quantity together"));
+  EXPECT_THAT(faults(tip("") + "[[bounds]]\nerror_percent = 1\n"),
+              HasSubstr("no quantity of this bound has a theory or a reference to err from"));
 }
 
 Row row(const std::string& name, double error) {

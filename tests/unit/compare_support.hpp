@@ -18,7 +18,8 @@ inline Scene steel_box(double length, double height, Point force, double depth =
   Scene scene;
   scene.plane = depth > 0 ? Plane::none : Plane::stress;
   scene.materials["steel"] = {"steel", 2.1e11, 0.3, 7850};
-  Body body{"box", std::make_shared<Box>(depth > 0 ? 3 : 2, Point{0, 0, 0}, Point{length, height, depth}), 0.1, "steel"};
+  Body body{"box", std::make_shared<Box>(depth > 0 ? 3 : 2, Point{0, 0, 0}, Point{length, height, depth}),
+            0.1, "steel"};
   scene.bodies.push_back(body);
   scene.supports.push_back({Place{0, {"x-"}, {}, {}}, {true, true, depth > 0}});
   scene.loads.push_back({Place{0, {"x+"}, {}, {}}, force, {}});
@@ -34,7 +35,8 @@ inline Scene cantilever() { return steel_box(1.0, 0.1, {0, -25e3, 0}); }
 /// A folder for one test, removed with it.
 class Folder {
  public:
-  explicit Folder(const std::string& name) : path_(std::filesystem::temp_directory_path() / ("femsph-" + name + std::to_string(getpid()))) {
+  explicit Folder(const std::string& name)
+      : path_(std::filesystem::temp_directory_path() / ("femsph-" + name + std::to_string(getpid()))) {
     std::filesystem::create_directories(path_);
   }
   ~Folder() {
@@ -59,7 +61,8 @@ class Folder {
 /// What a run gives whose tip goes to `tip` and whose section bears `fibre` at its upper end, linearly.
 inline RunResult result(double tip, double fibre, double spacing) {
   RunResult r;
-  r.history.columns = {{"time", "s", {0, 0.01, 0.02}}, {"tip_y", "m", {0, 1.5 * tip, tip}}, {"kinetic", "J", {0, 2, 1}}};
+  r.history.columns = {
+      {"time", "s", {0, 0.01, 0.02}}, {"tip_y", "m", {0, 1.5 * tip, tip}}, {"kinetic", "J", {0, 2, 1}}};
   Profile profile{"inner", 0.02, {0, 0.05, 0.1}, {{"xx", "Pa", {-fibre, 0, fibre}}}};
   r.profiles["inner"] = profile;
   r.spacing = spacing;

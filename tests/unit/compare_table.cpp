@@ -49,7 +49,9 @@ TEST(Table, CsvRoundTrip) {
   const auto lines = read_csv(csv(std::vector<Row>{r}));
   ASSERT_EQ(lines.size(), 2u);
   ASSERT_EQ(lines[0].size(), lines[1].size());
-  const auto cell = [&](const std::string& name) { return lines[1][std::find(lines[0].begin(), lines[0].end(), name) - lines[0].begin()]; };
+  const auto cell = [&](const std::string& name) {
+    return lines[1][std::find(lines[0].begin(), lines[0].end(), name) - lines[0].begin()];
+  };
   EXPECT_EQ(cell("method"), r.method);
   EXPECT_EQ(cell("failure"), r.failure);
   EXPECT_EQ(cell("settled"), "no");
@@ -60,9 +62,11 @@ TEST(Table, CsvRoundTrip) {
 TEST(Table, ColumnsAreTheOnesPromised) {
   EXPECT_THAT(
       read_csv(csv(std::vector<Row>{}))[0],
-      ElementsAre("study", "case", "method", "spacing_mm", "cells_over_height", "quantity", "value", "unit", "theory", "error_percent",
-                  "limit", "error_vs_limit_percent", "paper", "paper_error_percent", "steps", "dt_s", "cpu_s", "wall_s", "threads",
-                  "points", "ns_per_unit_step", "dof", "memory_mb", "total_cpu_s", "total_cpu_min_s", "total_cpu_max_s", "repeats", "energy_imbalance_percent", "momentum_error", "settled", "failure"));
+      ElementsAre("study", "case", "method", "spacing_mm", "cells_over_height", "quantity", "value", "unit",
+                  "theory", "error_percent", "limit", "error_vs_limit_percent", "paper",
+                  "paper_error_percent", "steps", "dt_s", "cpu_s", "wall_s", "threads", "points",
+                  "ns_per_unit_step", "dof", "memory_mb", "total_cpu_s", "total_cpu_min_s", "total_cpu_max_s",
+                  "repeats", "energy_imbalance_percent", "momentum_error", "settled", "failure"));
 }
 
 TEST(Table, NotANumberIsAnEmptyCell) { EXPECT_EQ(csv_number(std::nan("")), ""); }
@@ -81,7 +85,9 @@ TEST(Table, OrdersOfALadder) {
 }
 
 // Two meshes of one spacing (10x10 and 20x10, say) are no ladder.
-TEST(Table, NoOrderWithoutRefinement) { EXPECT_TRUE(orders_of({row("a", 10, 1.1, 1), row("a", 10, 1.2, 1)}).empty()); }
+TEST(Table, NoOrderWithoutRefinement) {
+  EXPECT_TRUE(orders_of({row("a", 10, 1.1, 1), row("a", 10, 1.2, 1)}).empty());
+}
 
 TEST(Table, LaddersOfDifferentRunsDoNotMix) {
   std::vector<Row> rows = {row("a", 4, 1.1, 1), row("a", 2, 1.05, 1)};
@@ -119,7 +125,8 @@ TEST(Readme, TableIsReplacedBetweenItsMarkers) {
 TEST(Readme, RefusesWithoutMarkers) {
   EXPECT_THROW(with_table("# T\n", "x"), std::runtime_error);
   EXPECT_THROW(with_table("<!-- /femsph:table --> <!-- femsph:table -->", "x"), std::runtime_error);
-  EXPECT_THROW(with_table("<!-- femsph:table --> <!-- femsph:table --> <!-- /femsph:table -->", "x"), std::runtime_error);
+  EXPECT_THROW(with_table("<!-- femsph:table --> <!-- femsph:table --> <!-- /femsph:table -->", "x"),
+               std::runtime_error);
 }
 
 }  // namespace

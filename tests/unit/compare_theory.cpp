@@ -26,7 +26,8 @@ std::string message_of(F&& f) {
   return "";
 }
 
-// 1.5 kN over 0.01 m^2 = 0.15 MPa; u = 0.15e6/2.1e11 * 0.3 m = 2.1429e-7 m; c = sqrt(E/rho) = 5172.2 m/s, 4 L/c = 232.01 us.
+// 1.5 kN over 0.01 m^2 = 0.15 MPa; u = 0.15e6/2.1e11 * 0.3 m = 2.1429e-7 m; c = sqrt(E/rho) = 5172.2 m/s, 4
+// L/c = 232.01 us.
 TEST(Theory, Bar) {
   const Scene scene = bar();
   EXPECT_DOUBLE_EQ(value("bar_stress", scene), -0.15e6);
@@ -36,18 +37,22 @@ TEST(Theory, Bar) {
   EXPECT_NEAR(value("bar_peak", scene), 2 * value("bar_displacement", scene), 1e-15);
 }
 
-// The end swings on a triangle; the middle is reached after L/2c, doubled after 3L/2c, empty again after 7L/2c.
+// The end swings on a triangle; the middle is reached after L/2c, doubled after 3L/2c, empty again after
+// 7L/2c.
 TEST(Theory, WaveInABar) {
   const Scene scene = bar();
   const double period = value("bar_period", scene), stress = value("bar_stress", scene);
-  EXPECT_NEAR(value("bar_displacement_history", scene, {}, period / 4), value("bar_displacement", scene), 1e-18);
+  EXPECT_NEAR(
+      value("bar_displacement_history", scene, {}, period / 4), value("bar_displacement", scene), 1e-18);
   EXPECT_NEAR(value("bar_displacement_history", scene, {}, period), 0, 1e-18);
   const Point middle{0.15, 0.05, 0};
   const double level[] = {0, 1, 1, 2, 2, 1, 1, 0};  // in eighths of the period
-  for (int k = 0; k < 8; ++k) EXPECT_EQ(value("bar_stress_history", scene, middle, (k + 0.5) * period / 8), level[k] * stress) << k;
+  for (int k = 0; k < 8; ++k)
+    EXPECT_EQ(value("bar_stress_history", scene, middle, (k + 0.5) * period / 8), level[k] * stress) << k;
 }
 
-// I = 0.1^4/12 m^4: P L^3/(3 E I) = 4.7619 mm; shear adds P L/(5/6 G A) = 0.0371 mm; sigma at the root M y/I = 150 MPa, tension above.
+// I = 0.1^4/12 m^4: P L^3/(3 E I) = 4.7619 mm; shear adds P L/(5/6 G A) = 0.0371 mm; sigma at the root M y/I
+// = 150 MPa, tension above.
 TEST(Theory, Cantilever) {
   const Scene scene = cantilever();
   EXPECT_NEAR(value("cantilever_tip", scene), -4.7619e-3, 1e-7);
@@ -69,7 +74,8 @@ TEST(Theory, StepResponseOfTheCantilever) {
   // Twelve over the sum of beta^4 is 1: the mean of the motion is the static deflection.
   double mean = 0;
   const double period = 1 / value("cantilever_frequency", scene);
-  for (int i = 0; i < 1000; ++i) mean += value("cantilever_tip_history", scene, {}, (i + 0.5) * period / 1000) / 1000;
+  for (int i = 0; i < 1000; ++i)
+    mean += value("cantilever_tip_history", scene, {}, (i + 0.5) * period / 1000) / 1000;
   EXPECT_NEAR(mean / value("cantilever_tip", scene), 1, 0.002);
 }
 
@@ -79,7 +85,8 @@ TEST(Theory, ShortCantileverIn3D) {
     EXPECT_NEAR(value("cantilever_tip", steel_box(0.3, 0.1, {0, -load, 0}, depth)), -0.5143e-3, 1e-7);
 }
 
-// The strain across the width is held: E/(1 - nu^2) stands for E in bending, stretching and vibration; stress is statics alone.
+// The strain across the width is held: E/(1 - nu^2) stands for E in bending, stretching and vibration; stress
+// is statics alone.
 TEST(Theory, PlaneStrain) {
   Scene scene = cantilever();
   const double tip = value("cantilever_tip", scene), stress = value("cantilever_stress", scene, {0, 0.1, 0});
@@ -116,7 +123,8 @@ TEST(Theory, RefusesWhatItCannotSpeakOf) {
 }
 
 TEST(Theory, LookupHelpsWithSlips) {
-  EXPECT_THAT(message_of([] { theory_named("cantilever_tipp"); }), HasSubstr("did you mean \"cantilever_tip\"?"));
+  EXPECT_THAT(
+      message_of([] { theory_named("cantilever_tipp"); }), HasSubstr("did you mean \"cantilever_tip\"?"));
 }
 
 }  // namespace

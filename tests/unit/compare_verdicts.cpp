@@ -2,8 +2,8 @@
 
 #include <gmock/gmock.h>
 
-#include "compare/study/study_runner.hpp"
 #include "compare/study/reader/verdicts.hpp"
+#include "compare/study/study_runner.hpp"
 #include "compare_support.hpp"
 
 namespace femsph::compare {
@@ -18,18 +18,21 @@ Row kept() {
   Row row;
   row.case_name = "spin", row.method = "fem-full", row.quantity = "turn", row.unit = "rad";
   row.value = 10.1, row.theory = 10, row.error_percent = 1;
-  row.energy_drift = 1e-4, row.momentum_drift = 1e-14, row.angular_momentum_drift = 1e-13, row.hourglass_share = 0;
+  row.energy_drift = 1e-4, row.momentum_drift = 1e-14, row.angular_momentum_drift = 1e-13,
+  row.hourglass_share = 0;
   row.steps = 1000, row.cpu_s = 0.25;
   return row;
 }
 
 Bound all_bounds() {
   Bound b;
-  b.energy_drift = 0.01, b.momentum_drift = 1e-10, b.angular_momentum_drift = 1e-10, b.hourglass_share = 0.1, b.error_percent = 3;
+  b.energy_drift = 0.01, b.momentum_drift = 1e-10, b.angular_momentum_drift = 1e-10, b.hourglass_share = 0.1,
+  b.error_percent = 3;
   return b;
 }
 
-JudgedRow judged(const Row& row, const std::vector<Bound>& bounds, const std::vector<Expectation>& expectations = {}) {
+JudgedRow judged(const Row& row, const std::vector<Bound>& bounds,
+                 const std::vector<Expectation>& expectations = {}) {
   return judge(bounds, expectations, {row}).at(0);
 }
 
@@ -96,25 +99,35 @@ TEST(Verdicts, TheTableHasItsColumns) {
   const std::vector<Row> rows{row, stopped};
   const auto all = judge({all_bounds()}, {}, rows);
   const std::string text = csv(all);
-  EXPECT_THAT(text, StartsWith("case,method,verdict,reason,energy_drift,momentum_drift,angular_momentum_drift,hourglass_share,quantity,value,reference,"
-                               "error_percent,steps,cpu_s\r\n"
-                               "spin,fem-full,stable,,0.0001,1e-14,1e-13,0,turn (rad),10.1,10,1,1000,0.25\r\n"));
+  EXPECT_THAT(
+      text, StartsWith("case,method,verdict,reason,energy_drift,momentum_drift,angular_momentum_drift,"
+                       "hourglass_share,quantity,value,reference,"
+                       "error_percent,steps,cpu_s\r\n"
+                       "spin,fem-full,stable,,0.0001,1e-14,1e-13,0,turn (rad),10.1,10,1,1000,0.25\r\n"));
   EXPECT_THAT(text, HasSubstr("spin,fem-full,failed,\"stopped, at once\",0.0001,"));
   EXPECT_THAT(markdown(all), StartsWith("2 rows: 1 stable, 0 fail as expected, 1 failed.\n"));
 }
 
-// A study from its files: bounds and expectations are read, a run that stops is a row, and only `failed` is an exit code.
+// A study from its files: bounds and expectations are read, a run that stops is a row, and only `failed` is
+// an exit code.
 TEST(Verdicts, AStudyWithBounds) {
   const Folder folder("verdicts");
   folder.write("studies/hard/scene.toml", cantilever_toml);
-  const std::string runs = "title = \"Hard\"\n[[runs]]\nmethods = [\"fem-full\", \"sph-corrected\"]\nspacing = [\"20 mm\"]\n[[quantities]]\nname = \"tip\"\nprobe = \"tip\"\n"
-                           "component = \"y\"\nunit = \"mm\"\nreference = \"-4.8 mm\"\n[[bounds]]\nenergy_drift = 0.01\nerror_percent = 2\n";
-  folder.write("studies/hard/study.toml", runs + "[[expectations]]\nmethods = [\"sph-corrected\"]\nmessages = [\"no luck\"]\nreason = \"it never has\"\n");
+  const std::string runs =
+      "title = \"Hard\"\n[[runs]]\nmethods = [\"fem-full\", \"sph-corrected\"]\nspacing = [\"20 "
+      "mm\"]\n[[quantities]]\nname = \"tip\"\nprobe = \"tip\"\n"
+      "component = \"y\"\nunit = \"mm\"\nreference = \"-4.8 mm\"\n[[bounds]]\nenergy_drift = "
+      "0.01\nerror_percent = 2\n";
+  folder.write("studies/hard/study.toml", runs +
+                                              "[[expectations]]\nmethods = [\"sph-corrected\"]\nmessages = "
+                                              "[\"no luck\"]\nreason = \"it never has\"\n");
   Engine engine;
-  engine.run = [](const Scene&, const Method& method, const Resolution& resolution, const RunOptions& options) {
+  engine.run = [](const Scene&, const Method& method, const Resolution& resolution,
+                  const RunOptions& options) {
     EXPECT_TRUE(options.scalars.contains("energy_drift"));
     RunResult r = result(-4.75e-3, 1, resolution.spacing);
-    r.scalars = {{"energy_drift", 1e-5}, {"momentum_drift", 0}, {"angular_momentum_drift", 0}, {"hourglass_share", 0}};
+    r.scalars = {
+        {"energy_drift", 1e-5}, {"momentum_drift", 0}, {"angular_momentum_drift", 0}, {"hourglass_share", 0}};
     if (method.is_fem()) return r;
     *options.partial = r;
     throw std::runtime_error("no luck");
@@ -123,8 +136,12 @@ TEST(Verdicts, AStudyWithBounds) {
   command.name = folder / "studies/hard";
   command.out = folder / "results";
   EXPECT_EQ(study_command(command, engine), 0);
-  EXPECT_THAT(folder.read("results/hard/table.csv"), HasSubstr("d=20mm,fem-full,stable,,1e-05,0,0,0,tip (mm),-4.75,-4.8,-1.041666667,1000,0.5\r\n"));
-  EXPECT_THAT(folder.read("results/hard/table.csv"), HasSubstr("d=20mm,sph-corrected,expected-failure,no luck (expected: it never has),1e-05,0,0,0,tip (mm),,"));
+  EXPECT_THAT(folder.read("results/hard/table.csv"),
+              HasSubstr("d=20mm,fem-full,stable,,1e-05,0,0,0,tip (mm),-4.75,-4.8,-1.041666667,1000,0.5\r\n"));
+  EXPECT_THAT(
+      folder.read("results/hard/table.csv"),
+      HasSubstr(
+          "d=20mm,sph-corrected,expected-failure,no luck (expected: it never has),1e-05,0,0,0,tip (mm),,"));
   EXPECT_THAT(folder.read("results/hard/details.csv"), StartsWith("study,case,method,"));
   folder.write("studies/hard/study.toml", runs);
   EXPECT_EQ(study_command(command, engine), 3);
@@ -135,22 +152,31 @@ TEST(Verdicts, FaultsOfBoundsAndReferences) {
   folder.write("hard/scene.toml", cantilever_toml);
   const auto faults = [&](const std::string& rest) -> std::string {
     try {
-      parse_study("title = \"Hard\"\n[[runs]]\nmethods = [\"fem-full\"]\nspacing = [\"20 mm\"]\n" + rest, folder / "hard/study.toml");
+      parse_study("title = \"Hard\"\n[[runs]]\nmethods = [\"fem-full\"]\nspacing = [\"20 mm\"]\n" + rest,
+                  folder / "hard/study.toml");
     } catch (const InputError& e) {
       return e.what();
     }
     return "";
   };
-  const std::string tip = "[[quantities]]\nname = \"tip\"\nprobe = \"tip\"\ncomponent = \"y\"\nunit = \"mm\"\n";
+  const std::string tip =
+      "[[quantities]]\nname = \"tip\"\nprobe = \"tip\"\ncomponent = \"y\"\nunit = \"mm\"\n";
   EXPECT_EQ(faults(tip + "reference = \"4 mm\"\n[[bounds]]\nerror_percent = 1\n"), "");
-  EXPECT_THAT(faults(tip + "reference = \"4 MPa\"\n"), HasSubstr("expected a number with the unit of the quantity"));
-  EXPECT_THAT(faults(tip + "reference = \"4 mm\"\ntheory = \"cantilever_tip\"\n"), HasSubstr("both \"theory\" and \"reference\""));
-  EXPECT_THAT(faults(tip + "[[bounds]]\nmethods = [\"fem-fall\"]\n"), HasSubstr("did you mean \"fem-full\"?"));
+  EXPECT_THAT(
+      faults(tip + "reference = \"4 MPa\"\n"), HasSubstr("expected a number with the unit of the quantity"));
+  EXPECT_THAT(faults(tip + "reference = \"4 mm\"\ntheory = \"cantilever_tip\"\n"),
+              HasSubstr("both \"theory\" and \"reference\""));
+  EXPECT_THAT(
+      faults(tip + "[[bounds]]\nmethods = [\"fem-fall\"]\n"), HasSubstr("did you mean \"fem-full\"?"));
   EXPECT_THAT(faults(tip + "[[bounds]]\nenergy_drift = -1\n"), HasSubstr("expected a number not below 0"));
   EXPECT_THAT(faults(tip + "[[bounds]]\nquantity = \"tap\"\n"), HasSubstr("did you mean \"tip\"?"));
-  EXPECT_THAT(faults(tip + "[[expectations]]\nmessages = [\"x\"]\nreason = \"y\"\n"), HasSubstr("[[expectations]] without [[bounds]]"));
-  EXPECT_THAT(faults("[[quantities]]\nname = \"step\"\nscalar = \"critical_step\"\nunit = \"us\"\nreference = \"4 us\"\n"), "");
-  EXPECT_THAT(faults("[[quantities]]\nname = \"drift\"\nscalar = \"energy_drft\"\n"), HasSubstr("did you mean \"energy_drift\"?"));
+  EXPECT_THAT(faults(tip + "[[expectations]]\nmessages = [\"x\"]\nreason = \"y\"\n"),
+              HasSubstr("[[expectations]] without [[bounds]]"));
+  EXPECT_THAT(faults("[[quantities]]\nname = \"step\"\nscalar = \"critical_step\"\nunit = \"us\"\nreference "
+                     "= \"4 us\"\n"),
+              "");
+  EXPECT_THAT(faults("[[quantities]]\nname = \"drift\"\nscalar = \"energy_drft\"\n"),
+              HasSubstr("did you mean \"energy_drift\"?"));
 }
 
 }  // namespace

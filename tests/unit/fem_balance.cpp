@@ -1,8 +1,10 @@
 // What the adjoint form promises, for every element on distorted cells under a random displacement:
-//   energy            force = -dE/du, E the stored plus the hourglass energy; in small strain also f = -K u, E = 1/2 u K u, K symmetric
-//   momentum          sum f = 0 and sum x cross f = 0, x the current place (the undeformed one in small strain, where only
+//   energy            force = -dE/du, E the stored plus the hourglass energy; in small strain also f = -K u,
+//   E = 1/2 u K u, K symmetric momentum          sum f = 0 and sum x cross f = 0, x the current place (the
+//   undeformed one in small strain, where only
 //                     infinitesimal rotations are rigid)
-//   objectivity       x -> R x turns the forces with it and leaves the energy alone; a rigid rotation by 90 degrees gives no force.
+//   objectivity       x -> R x turns the forces with it and leaves the energy alone; a rigid rotation by 90
+//   degrees gives no force.
 
 #include <gtest/gtest.h>
 
@@ -16,7 +18,8 @@ class Balance : public testing::TestWithParam<std::tuple<Element, int>> {
   enum class Of { elastic, neo_hookean, plastic };
   std::unique_ptr<Discretization> make(bool large, Of law = Of::elastic) const {
     const bool solid = std::get<1>(GetParam()) == 3;
-    Scene scene = box_scene(solid ? Plane::none : Plane::strain, {1.2, 0.8, solid ? 0.9 : 0.0}, 2.0, 0.3, solid ? 1.0 : 0.7);
+    Scene scene = box_scene(
+        solid ? Plane::none : Plane::strain, {1.2, 0.8, solid ? 0.9 : 0.0}, 2.0, 0.3, solid ? 1.0 : 0.7);
     scene.large_motion = large;
     scene.materials.at("m").neo_hookean = law == Of::neo_hookean;
     if (law == Of::plastic) scene.materials.at("m").plasticity = Plasticity{0.02, 0.05};
@@ -29,7 +32,8 @@ class Balance : public testing::TestWithParam<std::tuple<Element, int>> {
   static double energy(const Discretization& d, const std::vector<double>& u) {
     return d.energies(u.data()).strain + d.energies(u.data()).hourglass;
   }
-  static void expect_momentum(const Discretization& d, const std::vector<double>& f, const std::vector<double>& moved) {
+  static void expect_momentum(const Discretization& d, const std::vector<double>& f,
+                              const std::vector<double>& moved) {
     Point sum{}, moment{};
     const Layout& l = d.layout();
     for (std::size_t i = 0; i < l.points; ++i) {
@@ -61,7 +65,8 @@ TEST_P(Balance, SmallStrainForceIsMinusKu) {
 }
 
 TEST_P(Balance, OnlyRigidMotionsAreFree) {
-  // u K u > 0 for whatever is not rigid: smallest over random fields and over the 2 dx wave that full reduction would not see.
+  // u K u > 0 for whatever is not rigid: smallest over random fields and over the 2 dx wave that full
+  // reduction would not see.
   const auto d = make(false);
   for (unsigned seed = 0; seed < 20; ++seed) {
     const auto u = random_field(*d, 0.01, seed);
@@ -70,7 +75,8 @@ TEST_P(Balance, OnlyRigidMotionsAreFree) {
 }
 
 TEST_P(Balance, LargeMotionForceIsMinusTheGradientOfTheEnergy) {
-  // Central difference along a random direction: error O(step^2) + round-off / step, both below 1e-7 of the largest term.
+  // Central difference along a random direction: error O(step^2) + round-off / step, both below 1e-7 of the
+  // largest term.
   for (const Of law : {Of::elastic, Of::neo_hookean}) {
     const auto d = make(true, law);
     const auto u = random_field(*d, 0.04, 1), direction = random_field(*d, 1.0, 2);
@@ -87,8 +93,9 @@ TEST_P(Balance, LargeMotionForceIsMinusTheGradientOfTheEnergy) {
   }
 }
 
-// Plastic flow leaves a stress that is not coaxial with the stretch: the forces keep momentum and angular momentum all the same, and turn
-// with the body: a turn by 97 degrees leaves the co-rotated state what it was.
+// Plastic flow leaves a stress that is not coaxial with the stretch: the forces keep momentum and angular
+// momentum all the same, and turn with the body: a turn by 97 degrees leaves the co-rotated state what it
+// was.
 TEST_P(Balance, PlasticForcesKeepMomentumAndTurn) {
   const auto d = make(true, Of::plastic);
   std::vector<double> u, f;
@@ -145,7 +152,8 @@ TEST_P(Balance, RigidRotationBy90DegreesGivesNoStress) {
   EXPECT_LT(energy(*d, u), 1e-27);
 }
 
-INSTANTIATE_TEST_SUITE_P(Fem, Balance, testing::Combine(testing::ValuesIn(all_elements), testing::Values(2, 3)));
+INSTANTIATE_TEST_SUITE_P(Fem, Balance,
+                         testing::Combine(testing::ValuesIn(all_elements), testing::Values(2, 3)));
 
 }  // namespace
 }  // namespace femsph::test

@@ -1,7 +1,8 @@
-// The cantilever of the paper, 1000 x 100 (x 100) mm, E 210 GPa, nu 0.3, clamped at x-, 25 kN down at the corner of its free end, plane
-// stress. Beam theory: Euler-Bernoulli P L^3 / (3 E I) = 4.7619 mm. Clamped plane-stress elasticity, converged: 4.7902 mm with the load at
-// the corner, 4.7905 mm with the same load spread over the end (static_limit, degree 2 .. 6 on 50 x 5 .. 200 x 20: 4.7891 .. 4.79017 from
-// below; the corners of the clamp are singular, so the last digit comes slowly).
+// The cantilever of the paper, 1000 x 100 (x 100) mm, E 210 GPa, nu 0.3, clamped at x-, 25 kN down at the
+// corner of its free end, plane stress. Beam theory: Euler-Bernoulli P L^3 / (3 E I) = 4.7619 mm. Clamped
+// plane-stress elasticity, converged: 4.7902 mm with the load at the corner, 4.7905 mm with the same load
+// spread over the end (static_limit, degree 2 .. 6 on 50 x 5 .. 200 x 20: 4.7891 .. 4.79017 from below; the
+// corners of the clamp are singular, so the last digit comes slowly).
 
 #include <gtest/gtest.h>
 
@@ -23,25 +24,30 @@ double tip(Element element, std::array<int, 3> divisions) {
 
 struct Row {
   std::array<int, 3> divisions;
-  double full;  ///< mm: fully integrated Q1, independently computed; reproduced by the paper's 100 x 10 (4.765 mm)
+  double full;  ///< mm: fully integrated Q1, independently computed; reproduced by the paper's 100 x 10
+                ///< (4.765 mm)
 };
 const Row table[] = {{{20, 2, 0}, 4.263},   {{40, 4, 0}, 4.643},  {{50, 5, 0}, 4.695}, {{100, 10, 0}, 4.765},
                      {{200, 20, 0}, 4.784}, {{10, 10, 0}, 3.442}, {{20, 10, 0}, 4.355}};
 
 TEST(FemCantilever, FullElementGivesTheKnownTips) {
   for (const Row& row : table)
-    EXPECT_NEAR(1e3 * tip(Element::full, row.divisions), row.full, 6e-4) << row.divisions[0] << " x " << row.divisions[1];
+    EXPECT_NEAR(1e3 * tip(Element::full, row.divisions), row.full, 6e-4)
+        << row.divisions[0] << " x " << row.divisions[1];
 }
 
 TEST(FemCantilever, AssumedStrainsAreWithinOnePercentOnEveryMesh) {
   for (const Element element : {Element::assumed_strain, Element::one_point}) {
-    for (const Row& row : table) EXPECT_NEAR(tip(element, row.divisions) / limit, 1, 0.01) << row.divisions[0] << " x " << row.divisions[1];
+    for (const Row& row : table)
+      EXPECT_NEAR(tip(element, row.divisions) / limit, 1, 0.01)
+          << row.divisions[0] << " x " << row.divisions[1];
     EXPECT_NEAR(tip(element, {10, 1, 0}) / limit, 1, 0.02);  // one cell over the height
   }
 }
 
 TEST(FemCantilever, ReducedShearTakesTheLockingOut) {
-  // Bending strains still miss the lateral contraction (nu^2 ~ 9 % of the stiffness shared over a linear cell): 3 % on 20 x 2.
+  // Bending strains still miss the lateral contraction (nu^2 ~ 9 % of the stiffness shared over a linear
+  // cell): 3 % on 20 x 2.
   EXPECT_NEAR(tip(Element::sri, {20, 2, 0}) / limit, 1, 0.03);
   EXPECT_NEAR(tip(Element::sri, {10, 10, 0}) / limit, 1, 0.015);
 }
@@ -63,8 +69,8 @@ TEST(FemCantilever, StaticLimitIsClampedElasticity) {
 }
 
 TEST(FemCantilever, StaticLimitSeesTheBendingStress) {
-  // Mid-span, far from both ends: sigma = M y / I with M = P L / 2, y = 25 mm: 25e3 * 0.5 * 0.025 / (0.1^4 / 12) = 37.5 MPa; strain = sigma
-  // / E.
+  // Mid-span, far from both ends: sigma = M y / I with M = P L / 2, y = 25 mm: 25e3 * 0.5 * 0.025 / (0.1^4 /
+  // 12) = 37.5 MPa; strain = sigma / E.
   Scene scene = cantilever();
   scene.sections.push_back({"mid", 0, Quantity::stress, {0.5, 0.0, 0}, {0.5, 0.1, 0}, 5});
   scene.probes.push_back({"strain", 0, Quantity::strain, {0.5, 0.075, 0}});
@@ -77,7 +83,8 @@ TEST(FemCantilever, StaticLimitSeesTheBendingStress) {
 }
 
 TEST(FemCantilever, StaticLimitOfDegreeOneIsTheFullElement) {
-  // Same space, same quadrature: the two programs must agree, in 3D on a load along an edge, a face and a corner as well.
+  // Same space, same quadrature: the two programs must agree, in 3D on a load along an edge, a face and a
+  // corner as well.
   Scene scene = box_scene(Plane::none, {0.4, 0.1, 0.12}, 210e9, 0.3);
   scene.supports.push_back({Place{0, {"x-"}, {}, {}}, {true, true, true}});
   scene.loads.push_back({Place{0, {"x+", "y+"}, {}, {}}, {0, -2e3, 0}, {}});
@@ -93,8 +100,8 @@ TEST(FemCantilever, StaticLimitOfDegreeOneIsTheFullElement) {
 }
 
 TEST(FemBending3D, AssumedStrainBendsAndTwistsLikeTheLimit) {
-  // A solid beam, 500 x 50 x 50 mm, with one or two hexahedra over its height, loaded at a corner of its end so that it bends about both
-  // axes and twists. Reference: degree 3 on 20 x 2 x 2, the same scene.
+  // A solid beam, 500 x 50 x 50 mm, with one or two hexahedra over its height, loaded at a corner of its end
+  // so that it bends about both axes and twists. Reference: degree 3 on 20 x 2 x 2, the same scene.
   Scene scene = box_scene(Plane::none, {0.5, 0.05, 0.05}, 210e9, 0.3);
   scene.supports.push_back({Place{0, {"x-"}, {}, {}}, {true, true, true}});
   scene.loads.push_back({Place{0, {"x+", "y+"}, {}, {}}, {0, -1e3, 400}, {}});
@@ -106,7 +113,8 @@ TEST(FemBending3D, AssumedStrainBendsAndTwistsLikeTheLimit) {
     options.divisions = divisions;
     const auto d = fem::discretize(scene, 0, options);
     const auto u = static_displacement(*d, scene);
-    return std::array<double, 2>{value_at(*d, u, {0.5, 0.025, 0.025}, 1) / exact[1], value_at(*d, u, {0.5, 0.025, 0.025}, 2) / exact[2]};
+    return std::array<double, 2>{value_at(*d, u, {0.5, 0.025, 0.025}, 1) / exact[1],
+                                 value_at(*d, u, {0.5, 0.025, 0.025}, 2) / exact[2]};
   };
   for (const Element element : {Element::assumed_strain, Element::one_point}) {
     for (const double ratio : tips(element, {20, 2, 2})) EXPECT_NEAR(ratio, 1, 0.01);

@@ -1,6 +1,7 @@
-// Cells of a mesh file: they keep the file's numbers through every reordering, and one whose Jacobian is negative at a corner and positive at the Gauss points
-// serves all elements. The mesh is the seven bricks in a unit cube of R. H. MacNeal and R. L. Harder, Finite Elem. Anal. Des. 1 (1985) 3: with their
-// coordinates, brick 4 has J = -0.013 at a corner.
+// Cells of a mesh file: they keep the file's numbers through every reordering, and one whose Jacobian is
+// negative at a corner and positive at the Gauss points serves all elements. The mesh is the seven bricks in
+// a unit cube of R. H. MacNeal and R. L. Harder, Finite Elem. Anal. Des. 1 (1985) 3: with their coordinates,
+// brick 4 has J = -0.013 at a corner.
 
 #include <gtest/gtest.h>
 
@@ -14,10 +15,14 @@ namespace {
 CellMesh seven_bricks() {
   CellMesh mesh;
   mesh.dim = 3;
-  mesh.vertices = {{.249, .342, .192}, {.826, .288, .288}, {.850, .649, .263}, {.273, .750, .230}, {.320, .186, .643}, {.677, .305, .683},
-                   {.788, .693, .644}, {.165, .745, .702}, {0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}, {0, 0, 1}, {1, 0, 1}, {1, 1, 1}, {0, 1, 1}};
-  const int around[7][8] = {{1, 2, 3, 4, 5, 6, 7, 8},     {9, 10, 11, 12, 1, 2, 3, 4}, {13, 14, 15, 16, 5, 6, 7, 8}, {9, 10, 14, 13, 1, 2, 6, 5},
-                            {10, 11, 15, 14, 2, 3, 7, 6}, {11, 12, 16, 15, 3, 4, 8, 7}, {12, 9, 13, 16, 4, 1, 5, 8}};
+  mesh.vertices = {{.249, .342, .192}, {.826, .288, .288}, {.850, .649, .263}, {.273, .750, .230},
+                   {.320, .186, .643}, {.677, .305, .683}, {.788, .693, .644}, {.165, .745, .702},
+                   {0, 0, 0},          {1, 0, 0},          {1, 1, 0},          {0, 1, 0},
+                   {0, 0, 1},          {1, 0, 1},          {1, 1, 1},          {0, 1, 1}};
+  const int around[7][8] = {
+      {1, 2, 3, 4, 5, 6, 7, 8},    {9, 10, 11, 12, 1, 2, 3, 4},  {13, 14, 15, 16, 5, 6, 7, 8},
+      {9, 10, 14, 13, 1, 2, 6, 5}, {10, 11, 15, 14, 2, 3, 7, 6}, {11, 12, 16, 15, 3, 4, 8, 7},
+      {12, 9, 13, 16, 4, 1, 5, 8}};
   for (int c = 0; c < 7; ++c) {
     std::array<int, 8> cell{};
     for (int v = 0; v < 8; ++v) cell[std::array{0, 1, 3, 2, 4, 5, 7, 6}[v]] = around[c][v] - 1;
@@ -37,7 +42,9 @@ TEST(FileCells, KeepTheirNumbers) {
     const std::size_t own = (mesh.cell_numbers[c] - 101) / 10;
     Point here{}, there{};
     for (int a = 0; a < 8; ++a)
-      for (int d = 0; d < 3; ++d) here[d] += mesh.node(std::size_t(mesh.cell(c)[a]))[d], there[d] += bricks.vertices[bricks.cells[own][a]][d];
+      for (int d = 0; d < 3; ++d)
+        here[d] += mesh.node(std::size_t(mesh.cell(c)[a]))[d],
+            there[d] += bricks.vertices[bricks.cells[own][a]][d];
     for (int d = 0; d < 3; ++d) EXPECT_NEAR(here[d], there[d], 1e-14) << "the same eight corners";
   }
 }
@@ -85,7 +92,8 @@ TEST(FileCells, OneThatIsNotConvexServesEveryElement) {
       if (const Point x = fem->position(i); x[0] > 0 && x[0] < 1)
         for (int c = 0; c < 3; ++c) EXPECT_NEAR(f[fem->layout().at(i, c)], 0, 1e-10 * largest(f));
     // Points of this brick are found, near its bad corner (vertex 1) as well.
-    for (const Point& p : {bricks.vertices[0], Point{.249, .34, .192}, Point{.249, .342, .2}, Point{.26, .33, .19}}) {
+    for (const Point& p :
+         {bricks.vertices[0], Point{.249, .34, .192}, Point{.249, .342, .2}, Point{.26, .33, .19}}) {
       const auto weights = fem->interpolation(p);
       Point x{};
       for (const Weight& w : weights)

@@ -1,7 +1,8 @@
 // Nearly incompressible bodies, and elements whose cells are not in line with the axes.
-// Cook's membrane (48 wide, 44 high at the clamp, 16 at the free end, raised by 44): converged corner displacement
-//   plane stress, E 1, nu 1/3, F 1: 25.18 with full Q1 n = 8/16/32/64 at 22.67/24.27/24.84/25.04; plane strain, E 240.565, nu 0.4999, F
-//   100: 8.066.
+// Cook's membrane (48 wide, 44 high at the clamp, 16 at the free end, raised by 44): converged corner
+// displacement
+//   plane stress, E 1, nu 1/3, F 1: 25.18 with full Q1 n = 8/16/32/64 at 22.67/24.27/24.84/25.04; plane
+//   strain, E 240.565, nu 0.4999, F 100: 8.066.
 
 #include <gtest/gtest.h>
 
@@ -18,7 +19,8 @@ CellMesh mapped(int n, int m, const std::array<Point, 4>& corner) {
       const double s = static_cast<double>(i) / n, t = static_cast<double>(j) / m;
       Point p{};
       for (int c = 0; c < 2; ++c)
-        p[c] = (1 - t) * ((1 - s) * corner[0][c] + s * corner[1][c]) + t * ((1 - s) * corner[2][c] + s * corner[3][c]);
+        p[c] = (1 - t) * ((1 - s) * corner[0][c] + s * corner[1][c]) +
+               t * ((1 - s) * corner[2][c] + s * corner[3][c]);
       mesh.vertices.push_back(p);
     }
   for (int j = 0; j < m; ++j)
@@ -47,7 +49,8 @@ TEST(FemCook, FullElementInPlaneStress) {
 }
 
 TEST(FemCook, AssumedStrainsConvergeFromCoarseMeshes) {
-  // The cells are skew here, which no four-node element takes without loss: half of the full element's 10 % at n = 8.
+  // The cells are skew here, which no four-node element takes without loss: half of the full element's 10 %
+  // at n = 8.
   for (const Element element : {Element::assumed_strain, Element::one_point}) {
     EXPECT_NEAR(cook(element, 8, Plane::stress, 1, 1.0 / 3, 1) / 25.18, 1, 0.05);
     EXPECT_NEAR(cook(element, 32, Plane::stress, 1, 1.0 / 3, 1) / 25.18, 1, 0.01);
@@ -56,7 +59,8 @@ TEST(FemCook, AssumedStrainsConvergeFromCoarseMeshes) {
 
 TEST(FemCook, NearlyIncompressibleLocksFullIntegrationAndReducedShear) {
   EXPECT_LT(cook(Element::full, 8, Plane::strain, 240.565, 0.4999, 100), 0.65 * 8.066);
-  EXPECT_LT(cook(Element::sri, 8, Plane::strain, 240.565, 0.4999, 100), 0.65 * 8.066);  // the shear alone is reduced
+  EXPECT_LT(cook(Element::sri, 8, Plane::strain, 240.565, 0.4999, 100),
+            0.65 * 8.066);  // the shear alone is reduced
   for (const Element element : {Element::assumed_strain, Element::one_point}) {
     EXPECT_NEAR(cook(element, 8, Plane::strain, 240.565, 0.4999, 100) / 8.066, 1, 0.06);
     EXPECT_NEAR(cook(element, 16, Plane::strain, 240.565, 0.4999, 100) / 8.066, 1, 0.03);
@@ -65,17 +69,19 @@ TEST(FemCook, NearlyIncompressibleLocksFullIntegrationAndReducedShear) {
 }
 
 TEST(FemAxes, AnElementInItsOwnAxesDoesNotSeeHowTheBodyLies) {
-  // The cantilever turned by 30 degrees, load and tip with it: the deflection is the same. (Cells in line with its axes, so that clamp
-  // and load sit on named places: the clamp is given node by node.)
+  // The cantilever turned by 30 degrees, load and tip with it: the deflection is the same. (Cells in line
+  // with its axes, so that clamp and load sit on named places: the clamp is given node by node.)
   const double c = std::cos(M_PI / 6), s = std::sin(M_PI / 6);
   const auto turned = [&](double x, double y) { return Point{c * x - s * y, s * x + c * y, 0}; };
   for (const Element element : all_elements) {
     double tips[2];
     for (const bool turn : {false, true}) {
       const auto at = [&](double x, double y) { return turn ? turned(x, y) : Point{x, y, 0}; };
-      Scene scene = scene_of(std::make_shared<MeshShape>(mapped(20, 2, {at(0, 0), at(1, 0), at(0, 0.1), at(1, 0.1)}), "bar"), Plane::stress,
-                             210e9, 0.3, 0.1);
-      for (const double y : {0.0, 0.05, 0.1}) scene.supports.push_back({Place{0, {}, at(0, y), {}}, {true, true, true}});
+      Scene scene = scene_of(
+          std::make_shared<MeshShape>(mapped(20, 2, {at(0, 0), at(1, 0), at(0, 0.1), at(1, 0.1)}), "bar"),
+          Plane::stress, 210e9, 0.3, 0.1);
+      for (const double y : {0.0, 0.05, 0.1})
+        scene.supports.push_back({Place{0, {}, at(0, y), {}}, {true, true, true}});
       const Point down = at(0, -25e3);
       scene.loads.push_back({Place{0, {}, at(1, 0.1), {}}, down, {}});
       fem::Options options;
@@ -90,7 +96,8 @@ TEST(FemAxes, AnElementInItsOwnAxesDoesNotSeeHowTheBodyLies) {
 }
 
 TEST(FemAxes, EnergyOfHexahedraTurnsWithThem) {
-  // Distorted cells under a random displacement, and the same turned by 40 degrees about (1, 2, 3): energies are equal.
+  // Distorted cells under a random displacement, and the same turned by 40 degrees about (1, 2, 3): energies
+  // are equal.
   const double angle = 0.7, n = std::sqrt(14.0), a[3] = {1 / n, 2 / n, 3 / n};
   const auto turned = [&](const Point& x) {  // Rodrigues
     const double along = (1 - std::cos(angle)) * (a[0] * x[0] + a[1] * x[1] + a[2] * x[2]);
@@ -117,15 +124,16 @@ TEST(FemAxes, EnergyOfHexahedraTurnsWithThem) {
   for (const Element element : all_elements) {
     options.element = element;
     const auto energy = [&](const CellMesh& cells, bool turn) {
-      const auto d = fem::discretize(scene_of(std::make_shared<MeshShape>(cells, "brick"), Plane::none, 1.0, 0.3), 0, options);
+      const auto d = fem::discretize(
+          scene_of(std::make_shared<MeshShape>(cells, "brick"), Plane::none, 1.0, 0.3), 0, options);
       std::vector<double> u(d->layout().size, 0.0);
       for (std::size_t i = 0; i < d->layout().points; ++i) {
         // the same field at the same material point, whatever the numbering: undo the turn of the place first
         Point x = d->position(i);
         if (turn)
           for (std::size_t k = 0; k < mesh.vertices.size(); ++k)
-            if (std::hypot(turned_mesh.vertices[k][0] - x[0], turned_mesh.vertices[k][1] - x[1], turned_mesh.vertices[k][2] - x[2]) <
-                1e-9) {
+            if (std::hypot(turned_mesh.vertices[k][0] - x[0], turned_mesh.vertices[k][1] - x[1],
+                           turned_mesh.vertices[k][2] - x[2]) < 1e-9) {
               x = mesh.vertices[k];
               break;
             }
@@ -141,7 +149,8 @@ TEST(FemAxes, EnergyOfHexahedraTurnsWithThem) {
 }
 
 TEST(FemCook, ALayerOfHexahedraHeldFlatIsPlaneStrain) {
-  // One cell deep and u_z = 0 everywhere: every element must give the tip of its plane-strain quadrilateral (load per depth alike).
+  // One cell deep and u_z = 0 everywhere: every element must give the tip of its plane-strain quadrilateral
+  // (load per depth alike).
   const std::array<Point, 4> corner{Point{0, 0, 0}, Point{48, 44, 0}, Point{0, 44, 0}, Point{48, 60, 0}};
   const CellMesh flat = mapped(6, 6, corner);
   CellMesh mesh = flat;
@@ -159,7 +168,8 @@ TEST(FemCook, ALayerOfHexahedraHeldFlatIsPlaneStrain) {
     options.element = element;
     const auto d = fem::discretize(scene, 0, options);
     const double tip = value_at(*d, static_displacement(*d, scene, 1e-11), {48, 60, 0}, 1);
-    EXPECT_NEAR(tip / cook(element, 6, Plane::strain, 240.565, 0.4999, 100), 1, 1e-6) << static_cast<int>(element);
+    EXPECT_NEAR(tip / cook(element, 6, Plane::strain, 240.565, 0.4999, 100), 1, 1e-6)
+        << static_cast<int>(element);
   }
 }
 

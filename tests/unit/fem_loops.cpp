@@ -1,5 +1,6 @@
-// The fast loop against slower ones: deal.II's FEValues (nothing shared but the mesh), the same kernel with one double, and the same
-// loop on two threads (equal to the last bit, since borders and sums do not depend on the thread count).
+// The fast loop against slower ones: deal.II's FEValues (nothing shared but the mesh), the same kernel with
+// one double, and the same loop on two threads (equal to the last bit, since borders and sums do not depend
+// on the thread count).
 
 #include <gtest/gtest.h>
 
@@ -10,7 +11,8 @@ namespace femsph::test {
 namespace {
 
 Scene block(int dim, bool large = false) {
-  Scene s = box_scene(dim == 3 ? Plane::none : Plane::stress, {1.1, 0.9, dim == 3 ? 0.7 : 0.0}, 210e9, 0.3, dim == 3 ? 1.0 : 0.2);
+  Scene s = box_scene(dim == 3 ? Plane::none : Plane::stress, {1.1, 0.9, dim == 3 ? 0.7 : 0.0}, 210e9, 0.3,
+                      dim == 3 ? 1.0 : 0.2);
   s.large_motion = large;
   return s;
 }
@@ -78,8 +80,9 @@ TEST_P(Dimension, OneYieldingCellAtATimeEqualsEight) {
 
 TEST_P(Dimension, ThreadsDoNotChangeABit) {
   fem::Options options;
-  options.divisions =
-      GetParam() == 2 ? std::array<int, 3>{200, 110, 0} : std::array<int, 3>{30, 29, 25};  // more than 2048 batches, several domains
+  options.divisions = GetParam() == 2
+                          ? std::array<int, 3>{200, 110, 0}
+                          : std::array<int, 3>{30, 29, 25};  // more than 2048 batches, several domains
   options.distortion = 0.1;
   const auto d = fem::discretize(block(GetParam()), 0, options);
   const auto u = random_field(*d, 1e-3);

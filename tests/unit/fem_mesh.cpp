@@ -12,17 +12,20 @@
 namespace femsph::test {
 namespace {
 
-std::unique_ptr<Discretization> block(int dim, std::array<int, 3> divisions, double distortion, Element element = Element::full) {
+std::unique_ptr<Discretization> block(int dim, std::array<int, 3> divisions, double distortion,
+                                      Element element = Element::full) {
   fem::Options options;
   options.element = element;
   options.divisions = divisions;
   options.distortion = distortion;
-  return fem::discretize(
-      box_scene(dim == 3 ? Plane::none : Plane::stress, {1.2, 0.8, dim == 3 ? 0.5 : 0.0}, 210e9, 0.3, dim == 3 ? 1.0 : 0.25), 0, options);
+  return fem::discretize(box_scene(dim == 3 ? Plane::none : Plane::stress, {1.2, 0.8, dim == 3 ? 0.5 : 0.0},
+                                   210e9, 0.3, dim == 3 ? 1.0 : 0.25),
+                         0, options);
 }
 
 double weight_sum(const std::vector<Weight>& weights) {
-  return std::accumulate(weights.begin(), weights.end(), 0.0, [](double s, const Weight& w) { return s + w.weight; });
+  return std::accumulate(
+      weights.begin(), weights.end(), 0.0, [](double s, const Weight& w) { return s + w.weight; });
 }
 
 Point centre_of(const Discretization& d, const std::vector<Weight>& weights) {
@@ -57,10 +60,12 @@ TEST(FemMass, VolumesOfMaterialPointsFillTheBody) {
     }
 }
 
-// Lame's thick ring under inner pressure, one quarter between symmetry planes: nodal forces of the pressure, p r h dtheta each, balance the
-// stress only if they are consistent: their resultant on a quarter is p r_i thickness along both axes, exactly (the projected length).
+// Lame's thick ring under inner pressure, one quarter between symmetry planes: nodal forces of the pressure,
+// p r h dtheta each, balance the stress only if they are consistent: their resultant on a quarter is p r_i
+// thickness along both axes, exactly (the projected length).
 TEST(FemPressure, ResultantOnAQuarterRing) {
-  Scene scene = scene_of(std::make_shared<Round>(2, Round::Size{{}, 0.1, 0.2, 0, 2, Round::Part::quarter}), Plane::strain, 210e9, 0.3, 0.5);
+  Scene scene = scene_of(std::make_shared<Round>(2, Round::Size{{}, 0.1, 0.2, 0, 2, Round::Part::quarter}),
+                         Plane::strain, 210e9, 0.3, 0.5);
   scene.loads.push_back({Place{0, {"inner"}, {}, {}}, {}, {}, 100e6});
   scene.duration = 1;
   fem::Options options;
@@ -76,7 +81,8 @@ TEST(FemPressure, ResultantOnAQuarterRing) {
 }
 
 TEST(FemPlaces, AUniformTractionActsAtTheMiddleOfItsPlace) {
-  // Inner vertices moved, those of the boundary kept: 4 x 3 cells on the face x+, so interior nodes take 1/12, edges 1/24, corners 1/48.
+  // Inner vertices moved, those of the boundary kept: 4 x 3 cells on the face x+, so interior nodes take
+  // 1/12, edges 1/24, corners 1/48.
   const auto d = block(3, {5, 4, 3}, 0.2);
   const auto face = d->points_of({0, {"x+"}, {}, {}});
   EXPECT_EQ(face.size(), 20u);
@@ -90,7 +96,8 @@ TEST(FemPlaces, AUniformTractionActsAtTheMiddleOfItsPlace) {
     const bool edge_y = p[1] < 1e-9 || p[1] > 0.8 - 1e-9, edge_z = p[2] < 1e-9 || p[2] > 0.5 - 1e-9;
     EXPECT_NEAR(w.weight, (edge_y ? 0.5 : 1.0) * (edge_z ? 0.5 : 1.0) / 12, 1e-14);
   }
-  EXPECT_TRUE(std::is_sorted(face.begin(), face.end(), [](const Weight& a, const Weight& b) { return a.point < b.point; }));
+  EXPECT_TRUE(std::is_sorted(
+      face.begin(), face.end(), [](const Weight& a, const Weight& b) { return a.point < b.point; }));
 
   const auto edge = d->points_of({0, {"x+", "y+"}, {}, {}});
   EXPECT_EQ(edge.size(), 4u);
@@ -151,7 +158,8 @@ TEST(FemTopology, CellsAreInVtkOrderAndTurnLeft) {
 }
 
 TEST(FemMesh, CellsOfAFileMayComeInAnyOrientation) {
-  // A brick of two hexahedra whose second is written from another corner, in a left-handed order: same volume, same stiffness as the box.
+  // A brick of two hexahedra whose second is written from another corner, in a left-handed order: same
+  // volume, same stiffness as the box.
   CellMesh mesh;
   mesh.dim = 3;
   for (int k = 0; k < 2; ++k)
@@ -160,14 +168,17 @@ TEST(FemMesh, CellsOfAFileMayComeInAnyOrientation) {
   mesh.cells.push_back({0, 1, 3, 4, 6, 7, 9, 10});
   mesh.cells.push_back({1, 4, 2, 5, 7, 10, 8, 11});
   const Scene scene = scene_of(std::make_shared<MeshShape>(mesh, "two"), Plane::none, 1.0, 0.25);
-  const auto wave = [](const Point& x) { return Point{std::sin(3 * x[0] + x[1]), x[2] * x[0], std::cos(x[1] + 2 * x[2])}; };
+  const auto wave = [](const Point& x) {
+    return Point{std::sin(3 * x[0] + x[1]), x[2] * x[0], std::cos(x[1] + 2 * x[2])};
+  };
   for (const Element element : all_elements) {
     fem::Options options;
     options.element = element;
     const auto read = fem::discretize(scene, 0, options);
     options.divisions = {2, 1, 1};
     const auto box = fem::discretize(box_scene(Plane::none, {1, 1, 1}, 1.0, 0.25), 0, options);
-    EXPECT_NEAR(read->energies(field(*read, wave).data()).strain, box->energies(field(*box, wave).data()).strain, 1e-13);
+    EXPECT_NEAR(read->energies(field(*read, wave).data()).strain,
+                box->energies(field(*box, wave).data()).strain, 1e-13);
     EXPECT_DOUBLE_EQ(read->spacing(), 0.5);
   }
 }

@@ -1,6 +1,7 @@
-// Patch test (Irons): under a linear displacement field every material point must see exactly its gradient, and with the constant
-// stress that follows the forces on every inner node must cancel, on cells of any shape. Forces are measured against the largest
-// nodal force, which sits on the boundary and balances the traction. Cells are distorted by up to 20 % of their edges.
+// Patch test (Irons): under a linear displacement field every material point must see exactly its gradient,
+// and with the constant stress that follows the forces on every inner node must cancel, on cells of any
+// shape. Forces are measured against the largest nodal force, which sits on the boundary and balances the
+// traction. Cells are distorted by up to 20 % of their edges.
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,5 @@
-// A plastic body stretched uniformly has the law's own stress at every quadrature point of every element, whatever turn is superposed.
+// A plastic body stretched uniformly has the law's own stress at every quadrature point of every element,
+// whatever turn is superposed.
 
 #include <gtest/gtest.h>
 
@@ -33,8 +34,8 @@ std::vector<double> motion(const Discretization& d, double a, double b, double c
   });
 }
 
-// Small strain: Cauchy stress is the law's. In large motion the law sees the steps dU / Umid, which add up to ln U, and gives the Kirchhoff
-// stress tau = J sigma.
+// Small strain: Cauchy stress is the law's. In large motion the law sees the steps dU / Umid, which add up to
+// ln U, and gives the Kirchhoff stress tau = J sigma.
 TEST(FemPlastic, UniformStretchGivesTheLawsOwnStress) {
   const double a = 0.008, b = -0.002, c = -0.001;
   for (Element element : all_elements)
@@ -48,24 +49,30 @@ TEST(FemPlastic, UniformStretchGivesTheLawsOwnStress) {
           for (int k = 1; k <= 10; ++k) {
             force(*d, motion(*d, a * k / 10, b * k / 10, c * k / 10, 0));
             const std::array<double, 3> full{a, b, plane == Plane::none ? c : 0};
-            for (std::size_t i = 0; i < 3; ++i) seen[i] += full[i] / 10 / (large ? 1 + full[i] * (k - 0.5) / 10 : 1);
+            for (std::size_t i = 0; i < 3; ++i)
+              seen[i] += full[i] / 10 / (large ? 1 + full[i] * (k - 0.5) / 10 : 1);
             law = point.advance(seen);
           }
-          const double across = plane == Plane::none ? c : large ? std::expm1(law.strain_across) : law.strain_across;
+          const double across = plane == Plane::none ? c
+                                : large              ? std::expm1(law.strain_across)
+                                                     : law.strain_across;
           const std::array<double, 3> U{1 + a, 1 + b, 1 + across};
           const auto u = motion(*d, a, b, c, 0);
           const MaterialState state = state_of(*d, u);
           ASSERT_GT(law.plastic_strain, 0.004);
           for (std::size_t i = 0; i < state.stress.size(); ++i) {
             for (std::size_t k = 0; k < 3; ++k) {
-              ASSERT_NEAR(state.stress[i][k], law.stress[k] / (large ? U[0] * U[1] * U[2] : 1), 1e-10 * law.equivalent);
+              ASSERT_NEAR(state.stress[i][k], law.stress[k] / (large ? U[0] * U[1] * U[2] : 1),
+                          1e-10 * law.equivalent);
               ASSERT_NEAR(state.strain[i][k], U[k] - 1, 1e-12);
             }
             ASSERT_NEAR(state.plastic[i], law.plastic_strain, 1e-12);
           }
           const double volume = 0.08 * 0.06 * (plane == Plane::none ? 0.05 : 1);
-          EXPECT_NEAR(d->energies(u.data()).strain, law.stored_energy * volume, 1e-9 * law.stored_energy * volume);
-          EXPECT_NEAR(d->energies(u.data()).plastic, law.plastic_work * volume, 1e-9 * law.plastic_work * volume);
+          EXPECT_NEAR(
+              d->energies(u.data()).strain, law.stored_energy * volume, 1e-9 * law.stored_energy * volume);
+          EXPECT_NEAR(
+              d->energies(u.data()).plastic, law.plastic_work * volume, 1e-9 * law.plastic_work * volume);
         }
 }
 

@@ -1,5 +1,5 @@
-// Laws with history: an elastic law written as one, sigma += C d eps, must follow the elastic law step by step, in every element, batch or
-// single cell, and asking for energy, stress or strain must not advance it.
+// Laws with history: an elastic law written as one, sigma += C d eps, must follow the elastic law step by
+// step, in every element, batch or single cell, and asking for energy, stress or strain must not advance it.
 
 #include <gtest/gtest.h>
 
@@ -25,14 +25,21 @@ struct Incremental {
     history[0] += 1.0;
   }
   template <class T, int dim>
-  FEMSPH_INLINE T stored_energy(const Symmetric<T, dim>& strain, const Symmetric<T, dim>& stress, const T*) const {
+  FEMSPH_INLINE T stored_energy(const Symmetric<T, dim>& strain, const Symmetric<T, dim>& stress,
+                                const T*) const {
     return law.stored_energy<T, dim>(strain, stress, nullptr);
   }
-  double thickness_stress(const Symmetric<double, 2>& e, const Symmetric<double, 2>& s, const double*) const { return law.thickness_stress(e, s, nullptr); }
-  double thickness_strain(const Symmetric<double, 2>& e, const Symmetric<double, 2>& s, const double*) const { return law.thickness_strain(e, s, nullptr); }
+  double thickness_stress(const Symmetric<double, 2>& e, const Symmetric<double, 2>& s, const double*) const {
+    return law.thickness_stress(e, s, nullptr);
+  }
+  double thickness_strain(const Symmetric<double, 2>& e, const Symmetric<double, 2>& s, const double*) const {
+    return law.thickness_strain(e, s, nullptr);
+  }
   static double plastic_strain(const double* history) { return history[0]; }
   template <class T>
-  FEMSPH_INLINE T plastic_work(const T*) const { return T{}; }
+  FEMSPH_INLINE T plastic_work(const T*) const {
+    return T{};
+  }
 };
 
 /// No bound: the law is elastic.
@@ -55,8 +62,10 @@ void follow() {
     total.add_force(u.data(), f.data());
     stepped.add_force(u.data(), g.data());
     for (std::size_t i = 0; i < f.size(); ++i) ASSERT_NEAR(g[i], f[i], 1e-13 * largest(f));
-    for (int again = 0; again < 2; ++again) EXPECT_NEAR(stepped.energies(u.data()).strain, total.energies(u.data()).strain, 1e-13);
-    std::vector<fem::Sample> expected(batches.cells * static_cast<std::size_t>(total.points_per_cell())), found(expected.size());
+    for (int again = 0; again < 2; ++again)
+      EXPECT_NEAR(stepped.energies(u.data()).strain, total.energies(u.data()).strain, 1e-13);
+    std::vector<fem::Sample> expected(batches.cells * static_cast<std::size_t>(total.points_per_cell())),
+        found(expected.size());
     total.samples(u.data(), 0, batches.cells, expected.data());
     stepped.samples(u.data(), 0, batches.cells, found.data());
     for (std::size_t i = 0; i < found.size(); ++i) {

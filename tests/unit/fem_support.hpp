@@ -12,10 +12,12 @@
 namespace femsph::test {
 
 using fem::Element;
-inline const std::vector<Element> all_elements{Element::full, Element::sri, Element::one_point, Element::assumed_strain};
+inline const std::vector<Element> all_elements{
+    Element::full, Element::sri, Element::one_point, Element::assumed_strain};
 
 /// One body of steel-like numbers.
-inline Scene scene_of(std::shared_ptr<const Shape> shape, Plane plane, double young, double poisson, double thickness = 1.0) {
+inline Scene scene_of(std::shared_ptr<const Shape> shape, Plane plane, double young, double poisson,
+                      double thickness = 1.0) {
   Scene s;
   s.plane = plane;
   s.materials["m"] = Material{"m", young, poisson, 7850.0};
@@ -23,8 +25,10 @@ inline Scene scene_of(std::shared_ptr<const Shape> shape, Plane plane, double yo
   return s;
 }
 
-inline Scene box_scene(Plane plane, Point size, double young = 210e9, double poisson = 0.3, double thickness = 1.0) {
-  return scene_of(std::make_shared<Box>(plane == Plane::none ? 3 : 2, Point{}, size), plane, young, poisson, thickness);
+inline Scene box_scene(Plane plane, Point size, double young = 210e9, double poisson = 0.3,
+                       double thickness = 1.0) {
+  return scene_of(
+      std::make_shared<Box>(plane == Plane::none ? 3 : 2, Point{}, size), plane, young, poisson, thickness);
 }
 
 /// The cantilever 1000 x 100 x 100 mm, E 210 GPa, nu 0.3, clamped at x-, 25 kN down at the corner (x+, y+).
@@ -92,9 +96,10 @@ inline double value_at(const Discretization& d, const std::vector<double>& u, co
   return s;
 }
 
-/// Static displacement under the scene's loads: conjugate gradients on stiffness() with the fixed dofs taken out, preconditioned by the
-/// lumped mass.
-inline std::vector<double> static_displacement(const Discretization& d, const Scene& scene, double tolerance = 1e-9) {
+/// Static displacement under the scene's loads: conjugate gradients on stiffness() with the fixed dofs taken
+/// out, preconditioned by the lumped mass.
+inline std::vector<double> static_displacement(const Discretization& d, const Scene& scene,
+                                               double tolerance = 1e-9) {
   const Layout& layout = d.layout();
   std::vector<char> free(layout.size, 0);
   for (std::size_t i = 0; i < layout.points; ++i)

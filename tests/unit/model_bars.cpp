@@ -1,4 +1,5 @@
-// The law of bars in one dimension, the rows that carry them, and how a scene names bars, symmetry planes and mean supports.
+// The law of bars in one dimension, the rows that carry them, and how a scene names bars, symmetry planes and
+// mean supports.
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -9,8 +10,9 @@
 namespace femsph {
 namespace {
 
-// E = 200 GPa, yield 400 MPa, H = 50 GPa: loading to strain e > yield/E gives sigma = yield + E H/(E + H) (e - yield/E); E H/(E + H) = 40 GPa.
-// Back to zero strain it yields in compression, isotropically, at the stress reached.
+// E = 200 GPa, yield 400 MPa, H = 50 GPa: loading to strain e > yield/E gives sigma = yield + E H/(E + H) (e
+// - yield/E); E H/(E + H) = 40 GPa. Back to zero strain it yields in compression, isotropically, at the
+// stress reached.
 TEST(BarLaw, BilinearPathAndItsWork) {
   const BarLaw law{200e9, 400e6, 50e9, 7850};
   BarState s;
@@ -18,13 +20,15 @@ TEST(BarLaw, BilinearPathAndItsWork) {
   EXPECT_DOUBLE_EQ(s.dissipated, 0);
   EXPECT_NEAR(law.advance(0.01, s), 400e6 + 40e9 * 0.008, 1);
   EXPECT_NEAR(law.advance(0.01, s), 720e6, 1);
-  EXPECT_NEAR(law.advance(0.01 - 1.44e9 / 200e9, s), -720e6, 1);      // elastic down to minus the stress reached
+  EXPECT_NEAR(law.advance(0.01 - 1.44e9 / 200e9, s), -720e6, 1);  // elastic down to minus the stress reached
   EXPECT_NEAR(law.advance(0, s), -720e6 - 40e9 * (0.01 - 0.0072), 1);
-  // The trapezoid of stress over the path in small steps is the stored and the dissipated energy, step by step.
+  // The trapezoid of stress over the path in small steps is the stored and the dissipated energy, step by
+  // step.
   BarState t;
   double work = 0, before = 0;
   for (int n = 1; n <= 300; ++n) {
-    const double e = 0.01 * std::sin(0.05 * n), old = 0.01 * std::sin(0.05 * (n - 1)), now = law.advance(e, t);
+    const double e = 0.01 * std::sin(0.05 * n), old = 0.01 * std::sin(0.05 * (n - 1)),
+                 now = law.advance(e, t);
     work += 0.5 * (before + now) * (e - old);
     before = now;
     ASSERT_NEAR(work, law.stored(e, t) + t.dissipated, 1e-9 * work + 1e-6);
@@ -91,19 +95,24 @@ std::string with(std::string from, const std::string& to) {
 }
 
 void expect_fault(const std::string& text, const char* message) {
-  EXPECT_THAT([&] { parse_scene(text, "beam.toml"); }, testing::ThrowsMessage<InputError>(testing::HasSubstr(message)));
+  EXPECT_THAT([&] { parse_scene(text, "beam.toml"); },
+              testing::ThrowsMessage<InputError>(testing::HasSubstr(message)));
 }
 
 TEST(SceneParts, FaultsAreNamed) {
   expect_fault(with("at = \"x-\"", "at = \"left\""), "unknown side \"left\"");
-  expect_fault(with("[[symmetry]]", "[[symmetry]]\nat = \"x-\"\n[[symmetry]]"), "side \"x-\" is a symmetry plane already");
+  expect_fault(with("[[symmetry]]", "[[symmetry]]\nat = \"x-\"\n[[symmetry]]"),
+               "side \"x-\" is a symmetry plane already");
   expect_fault(with("to = [\"1000 mm\", \"42 mm\"]", "to = [\"1000 mm\", \"50 mm\"]"), "runs along no axis");
-  expect_fault(with("area = \"253.4 mm^2\"\nmaterial = \"concrete\"", "area = \"253.4 mm^2\"\nmaterial = \"steel\""), "unknown material \"steel\"");
+  expect_fault(
+      with("area = \"253.4 mm^2\"\nmaterial = \"concrete\"", "area = \"253.4 mm^2\"\nmaterial = \"steel\""),
+      "unknown material \"steel\"");
   expect_fault(with("[\"950 mm\", \"0 mm\"]]", "[\"850 mm\", \"0 mm\"]]"), "lies above the second along x");
   expect_fault(with("mode = \"mean\"", "mode = \"middle\""), "expected");
 }
 
-// Points every 20 mm: the bar at 42 mm belongs to the rows at 40 and 60 mm by 90 % and 10 %; its length is shared out exactly.
+// Points every 20 mm: the bar at 42 mm belongs to the rows at 40 and 60 mm by 90 % and 10 %; its length is
+// shared out exactly.
 TEST(BarRows, ShareABarBetweenTwoRows) {
   const Scene s = parse_scene(beam, "beam.toml");
   std::vector<Point> points;

@@ -1,4 +1,5 @@
-// Boundaries, nearest points, and the forces of a contact between two grids that know nothing but their points.
+// Boundaries, nearest points, and the forces of a contact between two grids that know nothing but their
+// points.
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -26,7 +27,9 @@ struct Pile {
     scene.contacts.push_back({"pile", {0, 1}, 1.0, friction, {}});
     add(std::make_unique<Grid>(Point{0, 0, 0}, 1, 1, 4, 4));
     add(std::make_unique<Grid>(Point{0, 1, 0}, 1, 1, 6, 6));
-    pair = std::make_unique<ContactPair>(scene, scene.contacts[0], std::array{ContactPair::Party{false, 0}, ContactPair::Party{false, 1}}, bodies);
+    pair = std::make_unique<ContactPair>(
+        scene, scene.contacts[0], std::array{ContactPair::Party{false, 0}, ContactPair::Party{false, 1}},
+        bodies);
   }
   void add(std::unique_ptr<Discretization> d) {
     MovingBody body;
@@ -56,14 +59,15 @@ struct Pile {
   std::unique_ptr<ContactPair> pair;
 };
 
-// 2 x 1 cells have 6 outer edges, two cubes side by side 10 outer faces; the outward areas of a closed surface add up to nothing,
-// and area times position (per dimension) to the volume (Gauss).
+// 2 x 1 cells have 6 outer edges, two cubes side by side 10 outer faces; the outward areas of a closed
+// surface add up to nothing, and area times position (per dimension) to the volume (Gauss).
 TEST(Boundary, IsClosedAndFacesOutward) {
   const test::FakeMesh plane;
   double area = 0;
   Point sum{};
   for (const Facet& f : plane.boundary()) {
-    const Point a = plane.position(f.points[0]), b = plane.position(f.points[1]), n{b[1] - a[1], a[0] - b[0], 0};
+    const Point a = plane.position(f.points[0]), b = plane.position(f.points[1]),
+                n{b[1] - a[1], a[0] - b[0], 0};
     area += dot(n, a + b) / 4;
     sum = sum + n;
   }
@@ -75,7 +79,8 @@ TEST(Boundary, IsClosedAndFacesOutward) {
   double volume = 0;
   sum = {};
   for (const Facet& f : block.boundary()) {
-    const Point a = block.position(f.points[0]), b = block.position(f.points[1]), c = block.position(f.points[2]), d = block.position(f.points[3]);
+    const Point a = block.position(f.points[0]), b = block.position(f.points[1]),
+                c = block.position(f.points[2]), d = block.position(f.points[3]);
     const Point n = 0.5 * cross(c - a, d - b);
     volume += dot(n, a + b + c + d) / 12;
     sum = sum + n;
@@ -87,7 +92,8 @@ TEST(Boundary, IsClosedAndFacesOutward) {
 
 // On a warped patch p - foot is along the normal there; shape functions give the foot.
 TEST(Stand, FindsTheNearestPointOfAWarpedPatch) {
-  const std::array<Point, 4> patch{Point{0, 0, 0}, Point{1, 0, 0.1}, Point{1.1, 1, -0.1}, Point{0, 0.9, 0.15}};
+  const std::array<Point, 4> patch{
+      Point{0, 0, 0}, Point{1, 0, 0.1}, Point{1.1, 1, -0.1}, Point{0, 0.9, 0.15}};
   const Point p{0.4, 0.6, -0.05};
   const Stand s = stand_over(3, patch, p);
   const Point off = p - s.foot;
@@ -118,12 +124,14 @@ TEST(Contact, RefusesAnOverlapAtTheStartWithItsPlace) {
     pile.press(0, 0);
     FAIL();
   } catch (const MotionError& e) {
-    EXPECT_THAT(e.what(), testing::AllOf(testing::HasSubstr("contact \"pile\""), testing::HasSubstr("overlap"), testing::HasSubstr("at (0.25, 1, 0) m")));
+    EXPECT_THAT(
+        e.what(), testing::AllOf(testing::HasSubstr("contact \"pile\""), testing::HasSubstr("overlap"),
+                                 testing::HasSubstr("at (0.25, 1, 0) m")));
   }
 }
 
-// kappa = 0.25 rho c^2 / d is the smaller of the two: d = 1/4. An even depth g over a unit face: force kappa g, energy kappa g^2 / 2,
-// whatever the facets.
+// kappa = 0.25 rho c^2 / d is the smaller of the two: d = 1/4. An even depth g over a unit face: force kappa
+// g, energy kappa g^2 / 2, whatever the facets.
 TEST(Contact, AnEvenDepthIsAnEvenPressure) {
   Pile pile;
   const double kappa = 0.25 * rho * speed * speed / 0.25, g = 0.003;
@@ -144,7 +152,8 @@ TEST(Contact, ForcesAndMomentsCancel) {
     std::uniform_real_distribution<double> jitter(-1e-3, 1e-3);
     pile.move(1, {0.013, -0.004, 0});
     for (MovingBody& body : pile.bodies)
-      for (std::size_t i = 0; i < body.u.size(); ++i) body.u[i] += jitter(random), body.v[i] = 10 * jitter(random);
+      for (std::size_t i = 0; i < body.u.size(); ++i)
+        body.u[i] += jitter(random), body.v[i] = 10 * jitter(random);
     for (std::size_t i = 0; i < pile.bodies[1].v.size(); i += 2) pile.bodies[1].v[i] += 0.5;
     pile.press(1, 1e-3);
     const auto s = pile.sums();
@@ -158,7 +167,8 @@ TEST(Contact, ForcesAndMomentsCancel) {
   }
 }
 
-// Sliding 1e-5 a step: the pull grows with the stretch until it is mu times the pressure, then everything is slip: work mu f per metre.
+// Sliding 1e-5 a step: the pull grows with the stretch until it is mu times the pressure, then everything is
+// slip: work mu f per metre.
 TEST(Contact, FrictionSticksThenSlips) {
   const double mu = 0.3, g = 0.003, dt = 1e-3;
   Pile pile(mu);

@@ -23,7 +23,8 @@ shape = "disc"
 rigid = true
 centre = ["0 mm", "200 mm"]
 radius = "100 mm"
-)" + weight + R"([bodies.beam]
+)" + weight +
+         R"([bodies.beam]
 shape = "box"
 size = ["1 m", "100 mm"]
 thickness = "100 mm"
@@ -52,7 +53,8 @@ fix = ["x", "turn"]
 [[loads]]
 body = "weight"
 force = ["0 N", "-5 N"]
-)"), "scene.toml");
+)"),
+                              "scene.toml");
   EXPECT_TRUE(s.bodies[0].rigid);
   EXPECT_EQ(s.bodies[0].mass, 300);
   EXPECT_FALSE(s.bodies[1].rigid);
@@ -68,24 +70,37 @@ force = ["0 N", "-5 N"]
 
 // 1000 kg/m^3 x pi 0.1^2 x 0.5 m = 15.708 kg.
 TEST(ContactReader, TakesADensityInsteadOfAMass) {
-  const Scene s = parse_scene(scene_text("", "density = \"1000 kg/m^3\"\nthickness = \"500 mm\"\n"), "scene.toml");
+  const Scene s = parse_scene(
+      scene_text("", "density = \"1000 kg/m^3\"\nthickness = \"500 mm\"\n"), "scene.toml");
   EXPECT_NEAR(s.bodies[0].mass, 15.708, 1e-3);
 }
 
 TEST(ContactReader, ExplainsWhatIsWrong) {
-  EXPECT_THAT(message_of(scene_text("[[contacts]]\nbetween = [\"weight\", \"beem\"]\n")), HasSubstr("unknown body \"beem\"; expected \"weight\" or \"beam\"; did you mean \"beam\"?"));
-  EXPECT_THAT(message_of(scene_text("[[contacts]]\nbetween = [\"beam\"]\n")), HasSubstr("\"between\" does not name two bodies"));
-  EXPECT_THAT(message_of(scene_text("[[contacts]]\nbetween = [\"weight\", \"beam\"]\nstiffness = 0.0\n")), HasSubstr("\"stiffness\" is 0"));
-  EXPECT_THAT(message_of(scene_text("[[contacts]]\nbetween = [\"weight\", \"beam\"]\n[[contacts]]\nbetween = [\"weight\", \"beam\"]\n")), HasSubstr("is taken"));
-  EXPECT_THAT(message_of(scene_text("[[supports]]\nbody = \"weight\"\nat = \"x-\"\nfix = [\"x\"]\n")), HasSubstr("part of body \"weight\", which is rigid"));
-  EXPECT_THAT(message_of(scene_text("[[supports]]\nbody = \"weight\"\nfix = [\"z\"]\n")), HasSubstr("unknown component \"z\"; expected \"x\", \"y\" or \"turn\""));
-  EXPECT_THAT(message_of(scene_text("[[probes]]\nname = \"p\"\nbody = \"weight\"\nquantity = \"velocity\"\npoint = [\"0 mm\", \"200 mm\"]\n")), HasSubstr("weight_vx"));
+  EXPECT_THAT(message_of(scene_text("[[contacts]]\nbetween = [\"weight\", \"beem\"]\n")),
+              HasSubstr("unknown body \"beem\"; expected \"weight\" or \"beam\"; did you mean \"beam\"?"));
+  EXPECT_THAT(message_of(scene_text("[[contacts]]\nbetween = [\"beam\"]\n")),
+              HasSubstr("\"between\" does not name two bodies"));
+  EXPECT_THAT(message_of(scene_text("[[contacts]]\nbetween = [\"weight\", \"beam\"]\nstiffness = 0.0\n")),
+              HasSubstr("\"stiffness\" is 0"));
+  EXPECT_THAT(message_of(scene_text("[[contacts]]\nbetween = [\"weight\", \"beam\"]\n[[contacts]]\nbetween = "
+                                    "[\"weight\", \"beam\"]\n")),
+              HasSubstr("is taken"));
+  EXPECT_THAT(message_of(scene_text("[[supports]]\nbody = \"weight\"\nat = \"x-\"\nfix = [\"x\"]\n")),
+              HasSubstr("part of body \"weight\", which is rigid"));
+  EXPECT_THAT(message_of(scene_text("[[supports]]\nbody = \"weight\"\nfix = [\"z\"]\n")),
+              HasSubstr("unknown component \"z\"; expected \"x\", \"y\" or \"turn\""));
+  EXPECT_THAT(message_of(scene_text("[[probes]]\nname = \"p\"\nbody = \"weight\"\nquantity = "
+                                    "\"velocity\"\npoint = [\"0 mm\", \"200 mm\"]\n")),
+              HasSubstr("weight_vx"));
   EXPECT_THAT(message_of(scene_text("", "")), HasSubstr("missing \"mass\""));
-  EXPECT_THAT(message_of(scene_text("", "mass = \"1 kg\"\nmaterial = \"steel\"\n")), HasSubstr("unknown key \"material\""));
+  EXPECT_THAT(message_of(scene_text("", "mass = \"1 kg\"\nmaterial = \"steel\"\n")),
+              HasSubstr("unknown key \"material\""));
 }
 
 TEST(ContactReader, ReadsTiedBodiesAndRefusesWhatTheyCannotHave) {
-  const std::string other = "[bodies.more]\nshape = \"box\"\norigin = [\"1 m\", \"0 m\"]\nsize = [\"1 m\", \"100 mm\"]\nthickness = \"100 mm\"\nmaterial = \"steel\"\n";
+  const std::string other =
+      "[bodies.more]\nshape = \"box\"\norigin = [\"1 m\", \"0 m\"]\nsize = [\"1 m\", \"100 mm\"]\nthickness "
+      "= \"100 mm\"\nmaterial = \"steel\"\n";
   const auto tied = [&](const std::string& bodies, const std::string& rest) {
     return scene_text(other + "[[contacts]]\nkind = \"tied\"\nbetween = [" + bodies + "]\n" + rest);
   };
@@ -94,9 +109,12 @@ TEST(ContactReader, ReadsTiedBodiesAndRefusesWhatTheyCannotHave) {
   EXPECT_TRUE(s.contacts[0].tied);
   EXPECT_THAT(s.effects(), testing::Contains("tied bodies"));
   EXPECT_THAT(s.effects(), testing::Not(testing::Contains("contact")));
-  EXPECT_THAT(message_of(tied("\"beam\", \"more\"", "friction = 0.3\n")), HasSubstr("\"friction\" in a contact of kind \"tied\""));
+  EXPECT_THAT(message_of(tied("\"beam\", \"more\"", "friction = 0.3\n")),
+              HasSubstr("\"friction\" in a contact of kind \"tied\""));
   EXPECT_THAT(message_of(tied("\"beam\", \"weight\"", "")), HasSubstr("one of two tied bodies is rigid"));
-  EXPECT_THAT(message_of(scene_text(other + "[[contacts]]\nkind = \"glued\"\nbetween = [\"beam\", \"more\"]\n")), HasSubstr("expected \"press\" or \"tied\""));
+  EXPECT_THAT(
+      message_of(scene_text(other + "[[contacts]]\nkind = \"glued\"\nbetween = [\"beam\", \"more\"]\n")),
+      HasSubstr("expected \"press\" or \"tied\""));
 }
 
 }  // namespace

@@ -40,10 +40,14 @@ TEST(Elementary, LikeTheLibrary) {
   std::vector<double> negative = spread(1e-18, 0.9999, true);
   for (double& x : negative) x = -x;
   expect_like_the_library(log1p_pack, log1p_one, negative);
-  expect_like_the_library([](Pack x) { return natural_log(x); }, [](double x) { return std::log(x); }, spread(1e-300, 1e300, true));
-  expect_like_the_library([](Pack x) { return natural_log(x); }, [](double x) { return std::log(x); }, spread(0.5, 2, false));
-  expect_like_the_library([](Pack x) { return exponential(x); }, [](double x) { return std::exp(x); }, spread(-650, 650, false));
-  expect_like_the_library([](Pack x) { return exponential(x); }, [](double x) { return std::exp(x); }, spread(1e-18, 2, true));
+  expect_like_the_library([](Pack x) { return natural_log(x); }, [](double x) { return std::log(x); },
+                          spread(1e-300, 1e300, true));
+  expect_like_the_library(
+      [](Pack x) { return natural_log(x); }, [](double x) { return std::log(x); }, spread(0.5, 2, false));
+  expect_like_the_library(
+      [](Pack x) { return exponential(x); }, [](double x) { return std::exp(x); }, spread(-650, 650, false));
+  expect_like_the_library(
+      [](Pack x) { return exponential(x); }, [](double x) { return std::exp(x); }, spread(1e-18, 2, true));
 }
 
 TEST(Elementary, AtTheEnds) {

@@ -1,4 +1,5 @@
-// Weight and its power in both layouts, against the sum written out; a number of points that fills no last eight.
+// Weight and its power in both layouts, against the sum written out; a number of points that fills no last
+// eight.
 
 #include <gtest/gtest.h>
 
@@ -10,12 +11,17 @@
 namespace femsph {
 namespace {
 
-Layout side_by_side(std::size_t points, int dim) { return {points, dim, std::size_t(dim), 1, 0, points * std::size_t(dim) + 3}; }
-Layout rows(std::size_t points, int dim) { return {points, dim, 1, points + 29, 16, (points + 29) * std::size_t(dim)}; }
+Layout side_by_side(std::size_t points, int dim) {
+  return {points, dim, std::size_t(dim), 1, 0, points * std::size_t(dim) + 3};
+}
+Layout rows(std::size_t points, int dim) {
+  return {points, dim, 1, points + 29, 16, (points + 29) * std::size_t(dim)};
+}
 
 void expect_weight(const Layout& at) {
   const Point g{0.3, -9.81, at.dim == 3 ? 2.5 : 0.0};
-  std::vector<double> mass(at.points), v(at.size, 7.0), f(at.size, 5.0);  // padding must not count, nor change
+  std::vector<double> mass(at.points), v(at.size, 7.0),
+      f(at.size, 5.0);  // padding must not count, nor change
   double power = 0, size = 0;
   for (std::size_t i = 0; i < at.points; ++i) {
     mass[i] = 1 + 0.5 * std::sin(double(i));
@@ -29,9 +35,11 @@ void expect_weight(const Layout& at) {
   }
   std::vector<double> expected = f;
   for (std::size_t i = 0; i < at.points; ++i)
-    for (int c = 0; c < at.dim; ++c) expected[at.at(i, c)] = std::fma(mass[i], g[std::size_t(c)], expected[at.at(i, c)]);
+    for (int c = 0; c < at.dim; ++c)
+      expected[at.at(i, c)] = std::fma(mass[i], g[std::size_t(c)], expected[at.at(i, c)]);
   add_weight(at, mass, g, f.data());
-  for (std::size_t k = 0; k < f.size(); ++k) EXPECT_NEAR(f[k], expected[k], 1e-15 * (10 + std::abs(expected[k]))) << k;
+  for (std::size_t k = 0; k < f.size(); ++k)
+    EXPECT_NEAR(f[k], expected[k], 1e-15 * (10 + std::abs(expected[k]))) << k;
   EXPECT_NEAR(power_of_weight(at, mass, g, v.data()), power, 1e-15 * size);
 }
 

@@ -1,15 +1,18 @@
-// What holds for every rule of tension and every integration: lanes are independent, the axes do not matter, energy is accounted for.
+// What holds for every rule of tension and every integration: lanes are independent, the axes do not matter,
+// energy is accounted for.
 
-#include "model_law_support.hpp"
 #include "model/material/kinematics.hpp"
+#include "model_law_support.hpp"
 
 namespace femsph::test {
 namespace {
 
 template <int dim>
 Symmetric<double, dim> tensor(const Strain& e) {
-  if constexpr (dim == 2) return {e[0], e[1], 0.5 * e[3]};
-  else return {e[0], e[1], e[2], 0.5 * e[3], 0.5 * e[4], 0.5 * e[5]};
+  if constexpr (dim == 2)
+    return {e[0], e[1], 0.5 * e[3]};
+  else
+    return {e[0], e[1], e[2], 0.5 * e[3], 0.5 * e[4], 0.5 * e[5]};
 }
 
 // Eight points on the path at eight sizes, some of which never yield: each lane is the scalar law.
@@ -29,9 +32,11 @@ void lanes_are_scalars(const Plastic& law) {
       Symmetric<double, dim> one;
       for (int k = 0; k < symmetric_size<dim>; ++k) one[k] = strains[k][l];
       const auto stress = advance_law<Plastic, double, dim>(law, one, scalar[l]);
-      for (int k = 0; k < symmetric_size<dim>; ++k) worst = std::max(worst, std::abs(stress[k] - stresses[k][l]) / yield_stress);
+      for (int k = 0; k < symmetric_size<dim>; ++k)
+        worst = std::max(worst, std::abs(stress[k] - stresses[k][l]) / yield_stress);
       for (int k = 2 * symmetric_size<dim>; k < n; ++k)
-        worst = std::max(worst, std::abs(scalar[l][k] - pack[k][l]) / (1e-6 * yield_stress + std::abs(scalar[l][k])));
+        worst = std::max(
+            worst, std::abs(scalar[l][k] - pack[k][l]) / (1e-6 * yield_stress + std::abs(scalar[l][k])));
     }
   }
   EXPECT_LT(worst, 1e-9);
@@ -40,9 +45,12 @@ void lanes_are_scalars(const Plastic& law) {
 TEST(Plastic, EachLaneIsTheScalarLaw) {
   for (const Plasticity& p : all_parameters())
     for (Plane plane : planes) {
-      SCOPED_TRACE(testing::Message() << "plane " << int(plane) << " tension " << int(p.tension) << " integration " << int(p.integration));
-      if (plane == Plane::none) lanes_are_scalars<3>(plastic_law(plane, p));
-      else lanes_are_scalars<2>(plastic_law(plane, p));
+      SCOPED_TRACE(testing::Message() << "plane " << int(plane) << " tension " << int(p.tension)
+                                      << " integration " << int(p.integration));
+      if (plane == Plane::none)
+        lanes_are_scalars<3>(plastic_law(plane, p));
+      else
+        lanes_are_scalars<2>(plastic_law(plane, p));
     }
 }
 
@@ -68,7 +76,10 @@ void short_way_is_the_long_one(const Plastic& law) {
     for (int l = 0; l < lanes; ++l) {
       for (int k = 0; k < n; ++k) ASSERT_NEAR(a[k][l], b[k][l], 1e-12 * yield_stress);
       for (int k = 0; k < history; ++k) {
-        const double one = k == Plastic::equivalent_strain || (law.base.plane == Plane::stress && k == Plastic::across) ? 1e-3 : 1e-3 * yield_stress;
+        const double one = k == Plastic::equivalent_strain ||
+                                   (law.base.plane == Plane::stress && k == Plastic::across)
+                               ? 1e-3
+                               : 1e-3 * yield_stress;
         ASSERT_NEAR(of_a[k][l], of_b[k][l], 1e-12 * (one + std::abs(of_b[k][l])));
       }
     }
@@ -79,14 +90,18 @@ void short_way_is_the_long_one(const Plastic& law) {
 
 TEST(Plastic, TheShortWayIsTheLongOne) {
   for (const Plane plane : planes) {
-    if (plane == Plane::none) short_way_is_the_long_one<3>(plastic_law(plane));
-    else short_way_is_the_long_one<2>(plastic_law(plane));
+    if (plane == Plane::none)
+      short_way_is_the_long_one<3>(plastic_law(plane));
+    else
+      short_way_is_the_long_one<2>(plastic_law(plane));
   }
 }
 
 using Matrix = std::array<std::array<double, 3>, 3>;
 Matrix full(const std::array<double, 6>& s, double share) {
-  return {{{s[0], share * s[3], share * s[5]}, {share * s[3], s[1], share * s[4]}, {share * s[5], share * s[4], s[2]}}};
+  return {{{s[0], share * s[3], share * s[5]},
+           {share * s[3], s[1], share * s[4]},
+           {share * s[5], share * s[4], s[2]}}};
 }
 std::array<double, 6> turned(const std::array<double, 6>& s, double share, double angle) {
   const double c = std::cos(angle), d = std::sin(angle);
@@ -104,13 +119,15 @@ TEST(Plastic, AxesDoNotMatter) {
   const double angle = std::acos(-1.0) / 6;
   for (const Plasticity& p : all_parameters())
     for (Plane plane : planes) {
-      SCOPED_TRACE(testing::Message() << "plane " << int(plane) << " tension " << int(p.tension) << " integration " << int(p.integration));
+      SCOPED_TRACE(testing::Message() << "plane " << int(plane) << " tension " << int(p.tension)
+                                      << " integration " << int(p.integration));
       MaterialPoint one(plastic_law(plane, p)), other(plastic_law(plane, p));
       double worst = 0;
       for (const Strain& e : crooked_path(plane)) {
         const PointState a = one.advance(e), b = other.advance(turned(e, 0.5, angle));
         const auto expected = turned(a.stress, 1, angle);
-        for (int c = 0; c < 6; ++c) worst = std::max(worst, std::abs(b.stress[c] - expected[c]) / yield_stress);
+        for (int c = 0; c < 6; ++c)
+          worst = std::max(worst, std::abs(b.stress[c] - expected[c]) / yield_stress);
         worst = std::max(worst, std::abs(a.plastic_strain - b.plastic_strain));
         worst = std::max(worst, std::abs(a.strain_across - b.strain_across));
       }
@@ -118,12 +135,14 @@ TEST(Plastic, AxesDoNotMatter) {
     }
 }
 
-// Work of the stress over a step, by the trapezoid that the leap-frog's ledger uses, is what the law stores and what it takes: to
-// round-off. And with return mapping what it takes is positive, under any rule of tension.
+// Work of the stress over a step, by the trapezoid that the leap-frog's ledger uses, is what the law stores
+// and what it takes: to round-off. And with return mapping what it takes is positive, under any rule of
+// tension.
 TEST(Plastic, WorkIsStoredOrTaken) {
   for (const Plasticity& p : all_parameters())
     for (Plane plane : planes) {
-      SCOPED_TRACE(testing::Message() << "plane " << int(plane) << " tension " << int(p.tension) << " integration " << int(p.integration));
+      SCOPED_TRACE(testing::Message() << "plane " << int(plane) << " tension " << int(p.tension)
+                                      << " integration " << int(p.integration));
       MaterialPoint point(plastic_law(plane, p));
       Strain before{};
       PointState last;
@@ -142,12 +161,14 @@ TEST(Plastic, WorkIsStoredOrTaken) {
     }
 }
 
-// Proportional loading: the work taken is the integral of Y dp = sigma_y p + H p^2/2, to the order of the step.
+// Proportional loading: the work taken is the integral of Y dp = sigma_y p + H p^2/2, to the order of the
+// step.
 TEST(Plastic, WorkTakenIsYieldTimesPlasticStrain) {
   const auto error = [](int steps) {
     MaterialPoint point(plastic_law(Plane::none));
     PointState s;
-    for (int k = 1; k <= steps; ++k) s = point.advance({0.02 * k / steps, -0.01 * k / steps, -0.01 * k / steps, 0, 0, 0});
+    for (int k = 1; k <= steps; ++k)
+      s = point.advance({0.02 * k / steps, -0.01 * k / steps, -0.01 * k / steps, 0, 0, 0});
     const double p = s.plastic_strain;
     return std::abs(s.plastic_work / (yield_stress * p + 0.5 * hardening * p * p) - 1);
   };

@@ -1,8 +1,10 @@
-// Large strain: the neo-Hookean law against its energy and against closed forms, in space, plane strain and plane stress; and plasticity
-// driven through LargeStrain.
-//   Uniaxial stress, Kirchhoff J2 with logarithmic strain: tau = E ln l below yield, then tau = Y + Et-line in ln l; sigma = tau / J.
-//   Simple shear F = [[1, g], [0, 1]], elastic, Green-Naghdi rate, tan b = g/2 (Dienes, Acta Mechanica 32, 1979):
-//     tau_xx = -tau_yy = 4 mu (cos 2b ln cos b + b sin 2b - sin^2 b),  tau_xy = 2 mu cos 2b (2b - 2 tan 2b ln cos b - tan b).
+// Large strain: the neo-Hookean law against its energy and against closed forms, in space, plane strain and
+// plane stress; and plasticity driven through LargeStrain.
+//   Uniaxial stress, Kirchhoff J2 with logarithmic strain: tau = E ln l below yield, then tau = Y + Et-line
+//   in ln l; sigma = tau / J. Simple shear F = [[1, g], [0, 1]], elastic, Green-Naghdi rate, tan b = g/2
+//   (Dienes, Acta Mechanica 32, 1979):
+//     tau_xx = -tau_yy = 4 mu (cos 2b ln cos b + b sin 2b - sin^2 b),  tau_xy = 2 mu cos 2b (2b - 2 tan 2b ln
+//     cos b - tan b).
 
 #include <gtest/gtest.h>
 
@@ -55,7 +57,8 @@ TEST(NeoHookean, StressIsTheGradientOfItsEnergy) {
   expect_gradient<2>(Plane::stress);
 }
 
-// psi of a diagonal stretch, written out by hand with the library's logarithm; plane stress by bisection on dpsi/dt.
+// psi of a diagonal stretch, written out by hand with the library's logarithm; plane stress by bisection on
+// dpsi/dt.
 TEST(NeoHookean, EnergyOfADiagonalStretch) {
   const double mu = E / (2 * (1 + nu)), lambda = E * nu / ((1 + nu) * (1 - 2 * nu));
   const auto psi = [&](double a, double b, double c) {
@@ -64,15 +67,18 @@ TEST(NeoHookean, EnergyOfADiagonalStretch) {
   };
   for (const double a : {0.3, 0.8, 1.0, 1.3, 4.0})
     for (const double b : {0.5, 1.1, 2.0}) {
-      EXPECT_NEAR(energy<3>(NeoHookean::make(E, nu, 1, Plane::none), {a - 1, b - 1, 0.2, 0, 0, 0}), psi(a, b, 1.2), 1e-13 * E * (1 + a * a));
-      EXPECT_NEAR(energy<2>(NeoHookean::make(E, nu, 1, Plane::strain), {a - 1, b - 1, 0}), psi(a, b, 1), 1e-13 * E * (1 + a * a));
+      EXPECT_NEAR(energy<3>(NeoHookean::make(E, nu, 1, Plane::none), {a - 1, b - 1, 0.2, 0, 0, 0}),
+                  psi(a, b, 1.2), 1e-13 * E * (1 + a * a));
+      EXPECT_NEAR(energy<2>(NeoHookean::make(E, nu, 1, Plane::strain), {a - 1, b - 1, 0}), psi(a, b, 1),
+                  1e-13 * E * (1 + a * a));
       double low = 1e-3, high = 1e3;
       for (int turn = 0; turn < 200; ++turn) {
         const double t = std::sqrt(low * high);
         (mu * (t - 1 / t) + lambda * std::log(a * b * t) / t > 0 ? high : low) = t;
       }
       const NeoHookean law = NeoHookean::make(E, nu, 1, Plane::stress);
-      EXPECT_NEAR(law.thickness_strain({a - 1, b - 1, 0}, {}, nullptr), low - 1, 1e-13 * (1 + low)) << a << " " << b;
+      EXPECT_NEAR(law.thickness_strain({a - 1, b - 1, 0}, {}, nullptr), low - 1, 1e-13 * (1 + low))
+          << a << " " << b;
       EXPECT_NEAR(energy<2>(law, {a - 1, b - 1, 0}), psi(a, b, low), 1e-12 * E * (1 + a * a));
     }
 }
@@ -81,12 +87,16 @@ TEST(NeoHookean, SmallStrainIsLinearElasticity) {
   std::mt19937 engine(5);
   for (const Plane plane : {Plane::strain, Plane::stress}) {
     const auto e = random_strain<2>(engine, 1e-8);
-    const auto linear = LinearElastic::make(E, nu, 1, plane).stress(e), T = NeoHookean::make(E, nu, 1, plane).stress(e);
-    for (int k = 0; k < 3; ++k) EXPECT_NEAR(T[k], linear[k], 1e-7 * std::abs(linear[0]) + 1e-7 * std::abs(linear[1]));
+    const auto linear = LinearElastic::make(E, nu, 1, plane).stress(e),
+               T = NeoHookean::make(E, nu, 1, plane).stress(e);
+    for (int k = 0; k < 3; ++k)
+      EXPECT_NEAR(T[k], linear[k], 1e-7 * std::abs(linear[0]) + 1e-7 * std::abs(linear[1]));
   }
   const auto e = random_strain<3>(engine, 1e-8);
-  const auto linear = LinearElastic::make(E, nu, 1, Plane::none).stress(e), T = NeoHookean::make(E, nu, 1, Plane::none).stress(e);
-  for (int k = 0; k < 6; ++k) EXPECT_NEAR(T[k], linear[k], 1e-7 * std::abs(linear[0]) + 1e-7 * std::abs(linear[1]));
+  const auto linear = LinearElastic::make(E, nu, 1, Plane::none).stress(e),
+             T = NeoHookean::make(E, nu, 1, Plane::none).stress(e);
+  for (int k = 0; k < 6; ++k)
+    EXPECT_NEAR(T[k], linear[k], 1e-7 * std::abs(linear[0]) + 1e-7 * std::abs(linear[1]));
 }
 
 TEST(NeoHookean, EightLanesAreEightPoints) {
@@ -111,7 +121,8 @@ TEST(NeoHookean, NoVolumeIsNotANumber) {
   EXPECT_TRUE(std::isnan(law.stress(Symmetric<double, 2>{-1.2, 0, 0})[0]));
 }
 
-// sigma_xx of uniaxial strain l: (mu (l^2 - 1) + lambda ln l) / l; the same point turned by 90 degrees shows it along y.
+// sigma_xx of uniaxial strain l: (mu (l^2 - 1) + lambda ln l) / l; the same point turned by 90 degrees shows
+// it along y.
 TEST(NeoHookean, CauchyStressInSpace) {
   const double l = 1.5, mu = E / (2 * (1 + nu)), lambda = E * nu / ((1 + nu) * (1 - 2 * nu));
   const NeoHookean law = NeoHookean::make(E, nu, 1, Plane::strain);
@@ -155,7 +166,8 @@ struct Driven {
   Tensor<double, dim> now{};
 };
 
-// Bar pulled to four times its length under uniaxial stress: the cross stretch is found in each step so that tau_yy = tau_zz = 0.
+// Bar pulled to four times its length under uniaxial stress: the cross stretch is found in each step so that
+// tau_yy = tau_zz = 0.
 TEST(LargePlasticity, UniaxialStressFollowsTheLogarithm) {
   const double H = 1e9, final_stretch = 4;
   const int steps = 2000;
@@ -163,7 +175,9 @@ TEST(LargePlasticity, UniaxialStressFollowsTheLogarithm) {
   double cross = 1;
   for (int n = 1; n <= steps; ++n) {
     const double l = std::exp(std::log(final_stretch) * n / steps);
-    const auto at = [&](double c) { return Tensor<double, 3>{{{l - 1, 0, 0}, {0, c - 1, 0}, {0, 0, c - 1}}}; };
+    const auto at = [&](double c) {
+      return Tensor<double, 3>{{{l - 1, 0, 0}, {0, c - 1, 0}, {0, 0, c - 1}}};
+    };
     const Driven<3> before = bar;
     cross = root(cross * 0.9999, cross, [&](double c) {
       Driven<3> trial = before;
@@ -177,7 +191,8 @@ TEST(LargePlasticity, UniaxialStressFollowsTheLogarithm) {
   const double ln = std::log(final_stretch), tau = (yield_stress + H * ln) / (1 + H / young);
   EXPECT_NEAR(bar.tau[0], tau, 1e-6 * tau);
   EXPECT_NEAR(p, ln - tau / young, 1e-6);
-  EXPECT_NEAR(std::log(final_stretch * cross * cross), (1 - 2 * poisson) * tau / young, 1e-7);  // volume: elastic only
+  EXPECT_NEAR(std::log(final_stretch * cross * cross), (1 - 2 * poisson) * tau / young,
+              1e-7);  // volume: elastic only
   const double J = final_stretch * cross * cross;
   EXPECT_NEAR(bar.cauchy()[0], tau / J, 1e-6 * tau);
   // The force on the undeformed section: P_xx = tau / l
@@ -201,7 +216,8 @@ TEST(LargePlasticity, ElasticSimpleShearIsThatOfTheGreenNaghdiRate) {
 TEST(LargePlasticity, SimpleShearFlowsAtTheYieldStress) {
   const int steps = 4000;
   Driven<3> point(plastic_law(Plane::none, {yield_stress, 0}));
-  for (int n = 1; n <= steps; ++n) point.to(Tensor<double, 3>{{{0, 4.0 * n / steps, 0}, {0, 0, 0}, {0, 0, 0}}});
+  for (int n = 1; n <= steps; ++n)
+    point.to(Tensor<double, 3>{{{0, 4.0 * n / steps, 0}, {0, 0, 0}, {0, 0, 0}}});
   EXPECT_NEAR((plastic::von_mises<double, 3>({point.tau, 0.0})), yield_stress, 1e-12 * yield_stress);
   const double* history = history_of<Plastic, 3>(point.state);
   const double p = history[Plastic::equivalent_strain];
@@ -211,10 +227,12 @@ TEST(LargePlasticity, SimpleShearFlowsAtTheYieldStress) {
   EXPECT_NEAR(history[Plastic::work], yield_stress * p, 1e-3 * yield_stress * p);
 }
 
-// After any deformation: turning by 90 degrees or by ten turns and a bit changes neither the co-rotated stress nor the history.
+// After any deformation: turning by 90 degrees or by ten turns and a bit changes neither the co-rotated
+// stress nor the history.
 TEST(LargePlasticity, RotationChangesNothing) {
   Driven<2> point(plastic_law(Plane::strain));
-  for (int n = 1; n <= 100; ++n) point.to(Tensor<double, 2>{{{0.004 * n, 0.003 * n}, {-0.001 * n, -0.002 * n}}});
+  for (int n = 1; n <= 100; ++n)
+    point.to(Tensor<double, 2>{{{0.004 * n, 0.003 * n}, {-0.001 * n, -0.002 * n}}});
   const auto tau = point.tau;
   const double p = point.state[6];
   Tensor<double, 2> F = point.now;
@@ -234,7 +252,8 @@ TEST(LargePlasticity, RotationChangesNothing) {
   EXPECT_GT(p, 0.1);
 }
 
-// P F^T is symmetric and P : dF is the work tau : d, whatever the stress: random paths, with stress not coaxial with U.
+// P F^T is symmetric and P : dF is the work tau : d, whatever the stress: random paths, with stress not
+// coaxial with U.
 TEST(LargePlasticity, AngularMomentumAndWork) {
   std::mt19937 engine(21);
   std::uniform_real_distribution<double> uniform(-0.3, 0.3);
@@ -268,7 +287,8 @@ TEST(LargePlasticity, AngularMomentumAndWork) {
     EXPECT_NEAR(contract(point.tau, d), work, 1e-5 * std::abs(work) + 1e-10 * yield_stress);
     Symmetric<double, 3> dU;
     for (int k = 0; k < 6; ++k) dU[k] = after[k] - point.strain[k];
-    EXPECT_NEAR(contract(LargeStrain::conjugate<double, 3>(point.strain, point.tau), dU), work, 1e-5 * std::abs(work) + 1e-10 * yield_stress);
+    EXPECT_NEAR(contract(LargeStrain::conjugate<double, 3>(point.strain, point.tau), dU), work,
+                1e-5 * std::abs(work) + 1e-10 * yield_stress);
   }
 }
 
@@ -280,7 +300,8 @@ TEST(LargePlasticity, SmallStrainIsTheSmallStrainLaw) {
     double small[point_state_size<Plastic, 2>] = {};
     for (int n = 1; n <= 50; ++n) {
       const double t = 0.1 * n;
-      const Tensor<double, 2> H{{{1e-4 * std::sin(t), 4e-5 * std::sin(2 * t)}, {2e-5 * std::sin(t), -8e-5 * std::sin(0.7 * t)}}};
+      const Tensor<double, 2> H{
+          {{1e-4 * std::sin(t), 4e-5 * std::sin(2 * t)}, {2e-5 * std::sin(t), -8e-5 * std::sin(0.7 * t)}}};
       large.to(H);
       Symmetric<double, 2> e;
       SmallStrain::strain<double, 2>(H, e);

@@ -1,5 +1,6 @@
-// Johnson-Cook: the stress after a step against the formula in the library's own functions, and an adiabatic curve at a fixed rate against
-// an independent integration of dT/dp = chi Y(p, T) / (rho c). Steel 42CrMo4-like numbers; pure shear, q = sqrt(3) tau.
+// Johnson-Cook: the stress after a step against the formula in the library's own functions, and an adiabatic
+// curve at a fixed rate against an independent integration of dT/dp = chi Y(p, T) / (rho c). Steel
+// 42CrMo4-like numbers; pure shear, q = sqrt(3) tau.
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -17,17 +18,20 @@ namespace {
 
 using testing::HasSubstr;
 
-constexpr double A = 792e6, B = 510e6, exponent = 0.26, C = 0.014, rate = 1.0, softening = 1.03, melting = 1793, room = 298, heat = 0.9 / (7850 * 477.0);
+constexpr double A = 792e6, B = 510e6, exponent = 0.26, C = 0.014, rate = 1.0, softening = 1.03,
+                 melting = 1793, room = 298, heat = 0.9 / (7850 * 477.0);
 
 Plastic steel(Plane plane, bool with_rate, bool with_heat) {
   Plasticity p{A, 0};
-  p.johnson_cook = JohnsonCook{B, exponent, with_rate ? C : 0, rate, softening, with_heat ? melting : 0, room, room, heat};
+  p.johnson_cook = JohnsonCook{
+      B, exponent, with_rate ? C : 0, rate, softening, with_heat ? melting : 0, room, room, heat};
   return {LinearElastic::make(young, poisson, 7850, plane), p};
 }
 
 double formula(double p, double pdot, double T) {
   const double hot = std::min(1.0, std::max(0.0, (T - room) / (melting - room)));
-  return (A + B * std::pow(p, exponent)) * (1 + C * std::log(std::max(pdot / rate, 1.0))) * (1 - std::pow(hot, softening));
+  return (A + B * std::pow(p, exponent)) * (1 + C * std::log(std::max(pdot / rate, 1.0))) *
+         (1 - std::pow(hot, softening));
 }
 
 template <int dim>
@@ -35,7 +39,8 @@ double equivalent(const Plastic& law, const Symmetric<double, dim>& s, const dou
   return plastic::von_mises<double, dim>({s, law.stress_across<double, dim>(history)});
 }
 
-// Crooked random steps of many sizes: where the step flows, the stress lies on the surface of its end, to round-off.
+// Crooked random steps of many sizes: where the step flows, the stress lies on the surface of its end, to
+// round-off.
 template <int dim>
 void expect_on_the_surface(Plane plane) {
   Plastic law = steel(plane, true, true);
@@ -51,7 +56,8 @@ void expect_on_the_surface(Plane plane) {
     for (int k = 0; k < symmetric_size<dim>; ++k) d[k] = size * normal(engine);
     const double before = history[Plastic::equivalent_strain], work = history[Plastic::work];
     law.update(d, s, history);
-    const double p = history[Plastic::equivalent_strain], dp = p - before, q = equivalent<dim>(law, s, history);
+    const double p = history[Plastic::equivalent_strain], dp = p - before,
+                 q = equivalent<dim>(law, s, history);
     if (dp > 0) {
       ++flowed;
       ASSERT_NEAR(q, formula(p, dp / law.step, room + heat * (work + q * dp)), 1e-9 * A) << n;
@@ -73,11 +79,13 @@ std::pair<double, double> sheared(bool with_rate, bool with_heat, int steps) {
   law.set_step(1e-4 / steps);
   Symmetric<double, 3> s{};
   double history[Plastic::history_size<3>] = {};
-  for (int n = 0; n < steps; ++n) law.update(Symmetric<double, 3>{0, 0, 0, 0.5 * std::sqrt(3.0) / steps, 0, 0}, s, history);
+  for (int n = 0; n < steps; ++n)
+    law.update(Symmetric<double, 3>{0, 0, 0, 0.5 * std::sqrt(3.0) / steps, 0, 0}, s, history);
   return {equivalent<3>(law, s, history), room + heat * history[Plastic::work]};
 }
 
-// p is 1 less the elastic part q / 3G, and so is the rate of p (its own rate of change is 1 % of it here at most).
+// p is 1 less the elastic part q / 3G, and so is the rate of p (its own rate of change is 1 % of it here at
+// most).
 TEST(JohnsonCook, IsothermalAtAFixedRate) {
   const auto [q, T] = sheared(true, false, 2000);
   EXPECT_NEAR(q, (A + B * std::pow(1 - q / (3 * shear), exponent)) * (1 + C * std::log(1e4)), 2e-5 * q);
@@ -85,7 +93,8 @@ TEST(JohnsonCook, IsothermalAtAFixedRate) {
   EXPECT_NEAR(slow, A + B * std::pow(1 - slow / (3 * shear), exponent), 1e-9 * slow);
 }
 
-// The adiabatic curve: Runge-Kutta of fourth order in p over 20000 steps, against backward Euler in 250, 500, .. which converges to it.
+// The adiabatic curve: Runge-Kutta of fourth order in p over 20000 steps, against backward Euler in 250, 500,
+// .. which converges to it.
 TEST(JohnsonCook, AdiabaticCurve) {
   double T = room;
   const int fine = 20000;
@@ -93,7 +102,8 @@ TEST(JohnsonCook, AdiabaticCurve) {
   const auto slope = [](double p, double t) { return heat * formula(p, 1e4, t); };
   for (int n = 0; n < fine; ++n) {
     const double p = std::max(start, n * h);
-    const double a = slope(p, T), b = slope(p + h / 2, T + h / 2 * a), c = slope(p + h / 2, T + h / 2 * b), d = slope(p + h, T + h * c);
+    const double a = slope(p, T), b = slope(p + h / 2, T + h / 2 * a), c = slope(p + h / 2, T + h / 2 * b),
+                 d = slope(p + h, T + h * c);
     T += h / 6 * (a + 2 * b + 2 * c + d);
   }
   double before = 0;
@@ -145,12 +155,17 @@ TEST(JohnsonCook, MoltenMetalBearsNoShear) {
 // --- In a scene.
 
 std::string scene_text(const std::string& table, const std::string& plane, const std::string& more = "") {
-  return "[model]\nplane = \"" + plane + "\"\nmotion = \"large\"\n[materials.m]\nlaw = \"plastic\"\nyoung = \"210 GPa\"\npoisson = 0.3\ndensity = \"7850 kg/m^3\"\n"
-         "yield = \"792 MPa\"\n" + more + "johnson_cook = {" + table + "}\n[bodies.b]\nshape = \"box\"\nsize = [" +
-         (plane == "none" ? "\"1 m\", \"1 m\", \"1 m\"]" : "\"1 m\", \"1 m\"]\nthickness = \"1 m\"") + "\nmaterial = \"m\"\n[time]\nduration = \"1 s\"\n";
+  return "[model]\nplane = \"" + plane +
+         "\"\nmotion = \"large\"\n[materials.m]\nlaw = \"plastic\"\nyoung = \"210 GPa\"\npoisson = "
+         "0.3\ndensity = \"7850 kg/m^3\"\n"
+         "yield = \"792 MPa\"\n" +
+         more + "johnson_cook = {" + table + "}\n[bodies.b]\nshape = \"box\"\nsize = [" +
+         (plane == "none" ? "\"1 m\", \"1 m\", \"1 m\"]" : "\"1 m\", \"1 m\"]\nthickness = \"1 m\"") +
+         "\nmaterial = \"m\"\n[time]\nduration = \"1 s\"\n";
 }
 
-std::string fault_of(const std::string& table, const std::string& plane = "none", const std::string& more = "") {
+std::string fault_of(const std::string& table, const std::string& plane = "none",
+                     const std::string& more = "") {
   try {
     parse_scene(scene_text(table, plane, more), "jc.toml");
   } catch (const InputError& e) {
@@ -160,7 +175,9 @@ std::string fault_of(const std::string& table, const std::string& plane = "none"
 }
 
 TEST(JohnsonCook, IsReadAsWritten) {
-  const std::string all = "B = \"510 MPa\", n = 0.26, C = 0.014, reference_rate = \"1 1/s\", m = 1.03, melting = \"1793 K\", room = \"298.15 K\", heat_capacity = \"477 J/(kg K)\"";
+  const std::string all =
+      "B = \"510 MPa\", n = 0.26, C = 0.014, reference_rate = \"1 1/s\", m = 1.03, melting = \"1793 K\", "
+      "room = \"298.15 K\", heat_capacity = \"477 J/(kg K)\"";
   const Scene scene = parse_scene(scene_text(all, "none"), "jc.toml");
   const JohnsonCook jc = *std::get<Plastic>(scene.materials.at("m").law(Plane::none)).parameters.johnson_cook;
   EXPECT_DOUBLE_EQ(jc.B, 510e6);
@@ -174,20 +191,29 @@ TEST(JohnsonCook, FaultsSayWhatWasExpected) {
   const std::string base = "B = \"510 MPa\", n = 0.26";
   EXPECT_EQ(fault_of(base), "");
   EXPECT_THAT(fault_of("n = 0.26"), HasSubstr("missing \"B\""));
-  EXPECT_EQ(fault_of("B = \"510 MPa\", n = 0"), "\"n\" is 0; expected a number above 0 and at most 1 (the exponent of the plastic strain)");
+  EXPECT_EQ(fault_of("B = \"510 MPa\", n = 0"),
+            "\"n\" is 0; expected a number above 0 and at most 1 (the exponent of the plastic strain)");
   EXPECT_THAT(fault_of(base + ", C = 0.1"), HasSubstr("missing \"reference_rate\""));
   EXPECT_EQ(fault_of(base + ", m = 1"), "\"m\" without \"melting\"; expected both, or no effect of heat");
-  EXPECT_THAT(fault_of(base + ", melting = \"1800 K\", m = 1, room = \"298 K\""), HasSubstr("missing \"heat_capacity\""));
-  EXPECT_EQ(fault_of(base + ", melting = \"200 K\", m = 1, room = \"298 K\", heat_capacity = \"477 J/(kg K)\""),
-            "\"melting\" is 200 K, not above \"room\", 298 K; expected the higher of the two");
-  EXPECT_EQ(fault_of(base, "stress"), "\"johnson_cook\" in plane stress; expected plane = \"strain\" or \"none\" in [model]");
-  EXPECT_EQ(fault_of(base, "none", "hardening = \"1 GPa\"\n"), "\"hardening\" with \"johnson_cook\", which says how the metal hardens; expected one of them");
-  EXPECT_EQ(fault_of(base, "none", "integration = \"no-return-1\"\n"), "\"integration\" with \"johnson_cook\"; expected \"return\"");
+  EXPECT_THAT(fault_of(base + ", melting = \"1800 K\", m = 1, room = \"298 K\""),
+              HasSubstr("missing \"heat_capacity\""));
+  EXPECT_EQ(
+      fault_of(base + ", melting = \"200 K\", m = 1, room = \"298 K\", heat_capacity = \"477 J/(kg K)\""),
+      "\"melting\" is 200 K, not above \"room\", 298 K; expected the higher of the two");
+  EXPECT_EQ(fault_of(base, "stress"),
+            "\"johnson_cook\" in plane stress; expected plane = \"strain\" or \"none\" in [model]");
+  EXPECT_EQ(fault_of(base, "none", "hardening = \"1 GPa\"\n"),
+            "\"hardening\" with \"johnson_cook\", which says how the metal hardens; expected one of them");
+  EXPECT_EQ(fault_of(base, "none", "integration = \"no-return-1\"\n"),
+            "\"integration\" with \"johnson_cook\"; expected \"return\"");
 }
 
 TEST(NeoHookeanMaterial, NeedsLargeMotion) {
-  const std::string scene = "[materials.m]\nlaw = \"neo-hookean\"\nyoung = \"17 MPa\"\npoisson = 0.45\ndensity = \"1100 kg/m^3\"\n[bodies.b]\nshape = \"box\"\n"
-                            "size = [\"1 m\", \"1 m\"]\nthickness = \"1 m\"\nmaterial = \"m\"\n[time]\nduration = \"1 s\"\n[model]\nplane = \"strain\"\n";
+  const std::string scene =
+      "[materials.m]\nlaw = \"neo-hookean\"\nyoung = \"17 MPa\"\npoisson = 0.45\ndensity = \"1100 "
+      "kg/m^3\"\n[bodies.b]\nshape = \"box\"\n"
+      "size = [\"1 m\", \"1 m\"]\nthickness = \"1 m\"\nmaterial = \"m\"\n[time]\nduration = \"1 "
+      "s\"\n[model]\nplane = \"strain\"\n";
   const Scene good = parse_scene(scene + "motion = \"large\"\n", "n.toml");
   EXPECT_TRUE(std::holds_alternative<NeoHookean>(good.materials.at("m").law(Plane::strain)));
   EXPECT_THAT(good.effects(), testing::Contains("neo-Hookean law"));
@@ -196,7 +222,8 @@ TEST(NeoHookeanMaterial, NeedsLargeMotion) {
     FAIL();
   } catch (const InputError& e) {
     EXPECT_EQ(e.faults().at(0).text,
-              "\"law\" is \"neo-hookean\" with small motion, where it is the elastic law; expected motion = \"large\" in [model], or law = \"elastic\"");
+              "\"law\" is \"neo-hookean\" with small motion, where it is the elastic law; expected motion = "
+              "\"large\" in [model], or law = \"elastic\"");
   }
 }
 

@@ -2,8 +2,8 @@
 
 #include <random>
 
-#include "model_law_support.hpp"
 #include "model/material/laws/return_mapping.hpp"
+#include "model_law_support.hpp"
 
 namespace femsph::test {
 namespace {
@@ -16,7 +16,10 @@ constexpr double near = 1e-8;
 // sigma = (sigma_y + H eps)/(1 + H/E) = 318 MPa at eps = 0.01, p = eps - sigma/E.
 TEST(Return, UniaxialStress) {
   for (Plane plane : {Plane::stress, Plane::none}) {
-    const auto at = [&](double lateral) { return MaterialPoint(plastic_law(plane)).advance({0.01, lateral, plane == Plane::none ? lateral : 0, 0, 0, 0}); };
+    const auto at = [&](double lateral) {
+      return MaterialPoint(plastic_law(plane))
+          .advance({0.01, lateral, plane == Plane::none ? lateral : 0, 0, 0, 0});
+    };
     const PointState s = at(root(-0.003, -0.005, [&](double e) { return at(e).stress[1]; }));
     EXPECT_NEAR(s.stress[0], 318e6, near * 318e6);
     EXPECT_NEAR(s.plastic_strain, 0.01 - 318e6 / young, near * 0.0085);
@@ -25,9 +28,11 @@ TEST(Return, UniaxialStress) {
   }
 }
 
-// Uniaxial strain eps = 0.005: q_trial = 2G eps, p = (q_trial - sigma_y)/(3G + H), pressure K eps, sx = K eps + 2/3 q, sy = K eps - q/3.
+// Uniaxial strain eps = 0.005: q_trial = 2G eps, p = (q_trial - sigma_y)/(3G + H), pressure K eps, sx = K eps
+// + 2/3 q, sy = K eps - q/3.
 TEST(Return, UniaxialStrain) {
-  const double p = (2 * shear * 0.005 - yield_stress) / (3 * shear + hardening), q = yield_stress + hardening * p, pressure = young / 1.2 * 0.005;
+  const double p = (2 * shear * 0.005 - yield_stress) / (3 * shear + hardening),
+               q = yield_stress + hardening * p, pressure = young / 1.2 * 0.005;
   EXPECT_NEAR(pressure + 2 * q / 3, 1077.93725e6, 5);
   EXPECT_NEAR(pressure - q / 3, 773.53138e6, 5);
   for (Plane plane : {Plane::strain, Plane::none}) {
@@ -47,14 +52,16 @@ TEST(Return, EqualBiaxialPlaneStress) {
   for (int c : {0, 1}) EXPECT_NEAR(s.stress[c], q, near * q);
 }
 
-// One backward Euler step in plane stress solves eps = C^-1 sigma + dp ds/dsigma; here the flow rule is solved by bisection on
-// m = dp/q: exx = (sx - nu sy)/E + m (sx - sy/2), eyy alike, gxy = sxy/G + 3 m sxy, until q = sigma_y + H m q.
+// One backward Euler step in plane stress solves eps = C^-1 sigma + dp ds/dsigma; here the flow rule is
+// solved by bisection on m = dp/q: exx = (sx - nu sy)/E + m (sx - sy/2), eyy alike, gxy = sxy/G + 3 m sxy,
+// until q = sigma_y + H m q.
 TEST(Return, PlaneStressSolvesTheFlowRule) {
   const auto solved = [](const Strain& e, double m) {
     const double d = 1 / young + m, o = -poisson / young - 0.5 * m, det = d * d - o * o;
     return std::array{(d * e[0] - o * e[1]) / det, (d * e[1] - o * e[0]) / det, e[3] / (1 / shear + 3 * m)};
   };
-  for (const Strain& e : {Strain{0.01, -0.003, 0, 0, 0, 0}, Strain{0.01, 0.002, 0, -0.02, 0, 0}, Strain{-0.3, 0.1, 0, 0.5, 0, 0}}) {
+  for (const Strain& e : {Strain{0.01, -0.003, 0, 0, 0, 0}, Strain{0.01, 0.002, 0, -0.02, 0, 0},
+                          Strain{-0.3, 0.1, 0, 0.5, 0, 0}}) {
     double low = 0, high = 1 / hardening;
     std::array<double, 3> s{};
     double q = 0;
@@ -76,73 +83,93 @@ TEST(Return, PlaneStressSolvesTheFlowRule) {
   }
 }
 
-// The projected return's steps end at the root to round-off, whatever the lateral strain, the hardening, the direction and the size of the trial
-// stress. The root by bisection in long double: x of a / (1 + c x)^2 + b / (1 + x)^2 = (Y / (1 - k x))^2, k = H/3G, and then p = x q / 3G.
+// The projected return's steps end at the root to round-off, whatever the lateral strain, the hardening, the
+// direction and the size of the trial stress. The root by bisection in long double: x of a / (1 + c x)^2 + b
+// / (1 + x)^2 = (Y / (1 - k x))^2, k = H/3G, and then p = x q / 3G.
 TEST(Return, PlaneStressEndsAtTheRoot) {
   for (const double nu : {-0.9, -0.5, 0.0, 0.3, 0.49})
     for (const double k : {0.0, 0.003, 0.5, 3.0})
       for (const double size : {1.0 + 1e-9, 1.001, 1.1, 3.0, 40.0, 1000.0})
         for (int direction = 0; direction < 16; ++direction) {
           const LinearElastic elastic = LinearElastic::make(young, nu, 7850, Plane::stress);
-          const double angle = 0.2 * direction, ratio = std::cos(angle), shear = 0.5 * std::sin(1.3 * direction);
+          const double angle = 0.2 * direction, ratio = std::cos(angle),
+                       shear = 0.5 * std::sin(1.3 * direction);
           PointStress<double, 2> trial{{std::sin(angle), ratio, shear}, 0.0};
           const double scale = size * yield_stress / von_mises(trial);
           for (double& x : trial.in.a) x *= scale;
           const auto [sx, sy, sxy] = std::array<long double, 3>{trial.in[0], trial.in[1], trial.in[2]};
-          const long double c = (1 + (long double)(nu)) / (3 * (1 - (long double)(nu))), H = (long double)(k) * 3 * (long double)(elastic.mu);
-          const long double a = 0.25L * (sx + sy) * (sx + sy), b = 0.75L * (sy - sx) * (sy - sx) + 3 * sxy * sxy, kk = H / (3 * (long double)(elastic.mu));
-          const auto q = [&](long double x) { return std::sqrt(a / ((1 + c * x) * (1 + c * x)) + b / ((1 + x) * (1 + x))); };
+          const long double c = (1 + (long double)(nu)) / (3 * (1 - (long double)(nu))),
+                            H = (long double)(k)*3 * (long double)(elastic.mu);
+          const long double a = 0.25L * (sx + sy) * (sx + sy),
+                            b = 0.75L * (sy - sx) * (sy - sx) + 3 * sxy * sxy,
+                            kk = H / (3 * (long double)(elastic.mu));
+          const auto q = [&](long double x) {
+            return std::sqrt(a / ((1 + c * x) * (1 + c * x)) + b / ((1 + x) * (1 + x)));
+          };
           long double low = 0, high = k > 0 ? std::min(1e6L, 1 / kk) : 1e6L;
           for (int turn = 0; turn < 200; ++turn) {
             const long double x = 0.5L * (low + high);
             (q(x) * (1 - kk * x) > (long double)(yield_stress) ? low : high) = x;
           }
-          const plastic::Flow<double> flow = plastic::projected_return(elastic, double(H), yield_stress, trial);
+          const plastic::Flow<double> flow = plastic::projected_return(
+              elastic, double(H), yield_stress, trial);
           const double p = double(low * q(low)) / (3 * elastic.mu);
-          // p = x q / 3G with q = Y / (1 - k x): a rounding of x counts 1 / (1 - k x) times in p. The last step leaves up to 1.5e-14 (return_mapping.hpp),
-          // and near the surface the error is that of q_trial - Y.
+          // p = x q / 3G with q = Y / (1 - k x): a rounding of x counts 1 / (1 - k x) times in p. The last
+          // step leaves up to 1.5e-14 (return_mapping.hpp), and near the surface the error is that of q_trial
+          // - Y.
           const double left = 2e-14 + 4 * 2.2e-16 / double(1 - kk * low);
-          EXPECT_NEAR(flow.equivalent, p, left * p + 3e-15 * yield_stress / elastic.mu) << "nu " << nu << " k " << k << " size " << size << " direction " << direction;
+          EXPECT_NEAR(flow.equivalent, p, left * p + 3e-15 * yield_stress / elastic.mu)
+              << "nu " << nu << " k " << k << " size " << size << " direction " << direction;
           EXPECT_NEAR(von_mises(trial), double(q(low)), 1e-13 * double(q(low)));
         }
 }
 
-// Eight lanes at once, each with an overshoot of its own from none to 1000 Y: lanes that are done at once stand beside lanes that take many
-// steps, and every one ends at its root (by bisection in long double) and keeps the state that does not yield.
+// Eight lanes at once, each with an overshoot of its own from none to 1000 Y: lanes that are done at once
+// stand beside lanes that take many steps, and every one ends at its root (by bisection in long double) and
+// keeps the state that does not yield.
 TEST(Return, PlaneStressLanesEndAtTheirOwnRoots) {
   std::mt19937 random(5);
   std::uniform_real_distribution<double> unit(0, 1), direction(-1, 1);
   for (int turn = 0; turn < 4000; ++turn) {
     const LinearElastic elastic = LinearElastic::make(young, -0.9 + 1.39 * unit(random), 7850, Plane::stress);
     const double k = turn % 4 == 0 ? 0 : std::pow(10, -4 + 4.5 * unit(random)), H = k * 3 * elastic.mu;
-    const double reach = turn % 3 == 0 ? 1e-3 : turn % 3 == 1 ? 0.3 : 1e3;  // the first two: every lane by the series, some by Newton's steps
+    const double reach = turn % 3 == 0 ? 1e-3
+                         : turn % 3 == 1
+                             ? 0.3
+                             : 1e3;  // the first two: every lane by the series, some by Newton's steps
     PointStress<Pack, 2> trial{};
     Pack yield{};
     for (int l = 0; l < lanes; ++l) {
       yield[l] = yield_stress * (0.5 + unit(random));
       PointStress<double, 2> s{{direction(random), direction(random), direction(random)}, 0.0};
-      const double overshoot = l == 7 && turn % 2 ? -0.1 : reach * std::pow(10, -8 * unit(random)), scale = (1 + overshoot) * yield[l] / von_mises(s);
+      const double overshoot = l == 7 && turn % 2 ? -0.1 : reach * std::pow(10, -8 * unit(random)),
+                   scale = (1 + overshoot) * yield[l] / von_mises(s);
       for (int c = 0; c < 3; ++c) trial.in[c][l] = scale * s.in[c];
     }
     PointStress<Pack, 2> now = trial;
     const plastic::Flow<Pack> flow = plastic::projected_return(elastic, H, yield, now);
     for (int l = 0; l < lanes; ++l) {
-      const long double sx = trial.in[0][l], sy = trial.in[1][l], sxy = trial.in[2][l], Y = yield[l], nu = elastic.poisson, kk = (long double)(H) / (3 * (long double)(elastic.mu));
-      const long double c = (1 + nu) / (3 * (1 - nu)), a = 0.25L * (sx + sy) * (sx + sy), b = 0.75L * (sy - sx) * (sy - sx) + 3 * sxy * sxy;
+      const long double sx = trial.in[0][l], sy = trial.in[1][l], sxy = trial.in[2][l], Y = yield[l],
+                        nu = elastic.poisson, kk = (long double)(H) / (3 * (long double)(elastic.mu));
+      const long double c = (1 + nu) / (3 * (1 - nu)), a = 0.25L * (sx + sy) * (sx + sy),
+                        b = 0.75L * (sy - sx) * (sy - sx) + 3 * sxy * sxy;
       if (a + b <= Y * Y) {
         EXPECT_EQ(flow.equivalent[l], 0);
         EXPECT_EQ(flow.across[l], 0);
         for (int i = 0; i < 3; ++i) EXPECT_EQ(now.in[i][l], trial.in[i][l]);
         continue;
       }
-      const auto q = [&](long double x) { return std::sqrt(a / ((1 + c * x) * (1 + c * x)) + b / ((1 + x) * (1 + x))); };
+      const auto q = [&](long double x) {
+        return std::sqrt(a / ((1 + c * x) * (1 + c * x)) + b / ((1 + x) * (1 + x)));
+      };
       long double low = 0, high = kk > 0 ? std::min(1e9L, 1 / kk) : 1e9L;
       for (int halving = 0; halving < 120; ++halving) {
         const long double x = 0.5L * (low + high);
         (q(x) * (1 - kk * x) > Y ? low : high) = x;
       }
       const double p = double(low * q(low)) / (3 * elastic.mu), size = double(q(low));
-      ASSERT_NEAR(flow.equivalent[l], p, 1e-12 * p + 1e-14 * size / elastic.mu) << "turn " << turn << " lane " << l;
+      ASSERT_NEAR(flow.equivalent[l], p, 1e-12 * p + 1e-14 * size / elastic.mu)
+          << "turn " << turn << " lane " << l;
       const double u = double(0.5L * (sx + sy) / (1 + c * low)), half = double(0.5L * (sy - sx) / (1 + low));
       ASSERT_NEAR(now.in[0][l], u - half, 1e-12 * size);
       ASSERT_NEAR(now.in[1][l], u + half, 1e-12 * size);
@@ -152,8 +179,9 @@ TEST(Return, PlaneStressLanesEndAtTheirOwnRoots) {
   }
 }
 
-// Perfect plasticity, a strain path e perpendicular to s: with z = 2G|e|/R, R = sqrt(2/3) sigma_y, the angle psi between s and e obeys
-// d psi/dz = -sin psi from pi/2, so psi = 2 atan(exp(-z)) (Krieg & Krieg 1977). Radial return is first order in the step.
+// Perfect plasticity, a strain path e perpendicular to s: with z = 2G|e|/R, R = sqrt(2/3) sigma_y, the angle
+// psi between s and e obeys d psi/dz = -sin psi from pi/2, so psi = 2 atan(exp(-z)) (Krieg & Krieg 1977).
+// Radial return is first order in the step.
 TEST(Return, NonProportionalPathConverges) {
   const double z = 2, radius = std::sqrt(2.0 / 3) * yield_stress;
   const auto error = [&](int steps) {
@@ -165,7 +193,8 @@ TEST(Return, NonProportionalPathConverges) {
       const double e = z * radius / (2 * shear) / std::sqrt(2.0) * k / steps;
       s = point.advance({e, -e, 0, g, 0, 0});
     }
-    return std::abs(std::atan2(std::sqrt(2.0) * s.stress[3], std::sqrt(0.5) * (s.stress[0] - s.stress[1])) - 2 * std::atan(std::exp(-z)));
+    return std::abs(std::atan2(std::sqrt(2.0) * s.stress[3], std::sqrt(0.5) * (s.stress[0] - s.stress[1])) -
+                    2 * std::atan(std::exp(-z)));
   };
   for (int steps : {50, 100, 200}) EXPECT_GT(error(steps) / error(2 * steps), std::pow(2, 0.95));
   EXPECT_LT(std::abs(2 * error(2000) - error(1000)), 1e-6);
@@ -191,9 +220,11 @@ TEST(Return, PlaneStressIsTheLawInSpaceWithoutThicknessStress) {
 TEST(Return, UnloadingIsElastic) {
   for (Plane plane : planes) {
     MaterialPoint point(plastic_law(plane)), elastic(LinearElastic::make(young, poisson, 7850, plane));
-    const PointState loaded = point.advance({0.01, -0.002, 0, 0.004, 0, 0}), back = point.advance({0.0095, -0.0018, 0, 0.0038, 0, 0});
+    const PointState loaded = point.advance({0.01, -0.002, 0, 0.004, 0, 0}),
+                     back = point.advance({0.0095, -0.0018, 0, 0.0038, 0, 0});
     const PointState change = elastic.advance({-0.0005, 0.0002, 0, -0.0002, 0, 0});
-    for (int c = 0; c < 6; ++c) EXPECT_NEAR(back.stress[c] - loaded.stress[c], change.stress[c], 1e-12 * young);
+    for (int c = 0; c < 6; ++c)
+      EXPECT_NEAR(back.stress[c] - loaded.stress[c], change.stress[c], 1e-12 * young);
     EXPECT_GT(loaded.plastic_strain, 0);
     EXPECT_EQ(back.plastic_strain, loaded.plastic_strain);
     EXPECT_EQ(back.plastic_work, loaded.plastic_work);

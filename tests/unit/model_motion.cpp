@@ -17,10 +17,14 @@ namespace {
 
 constexpr double mass_of_it = 2.0, spring = 800.0, omega = 20.0;
 
-/// Mass 0 is free in x and y and held by the spring in x; optionally a constant negative force law that blows up.
+/// Mass 0 is free in x and y and held by the spring in x; optionally a constant negative force law that blows
+/// up.
 class Spring : public Discretization {
  public:
-  explicit Spring(double k = spring, double explode_at = 1e300) : k_(k), explode_at_(explode_at), mass_(1, mass_of_it) { layout_ = {1, 2, 2, 1, 0, 2}; }
+  explicit Spring(double k = spring, double explode_at = 1e300)
+      : k_(k), explode_at_(explode_at), mass_(1, mass_of_it) {
+    layout_ = {1, 2, 2, 1, 0, 2};
+  }
   std::string describe() const override { return "a spring"; }
   const Layout& layout() const override { return layout_; }
   std::span<const double> mass() const override { return mass_; }
@@ -72,7 +76,8 @@ Load push(Point force, TimeHistory history = {}) {
 }
 
 struct Marched {
-  explicit Marched(const Scene& scene, MarchOptions options = {}, std::unique_ptr<Discretization> body = std::make_unique<Spring>())
+  explicit Marched(const Scene& scene, MarchOptions options = {},
+                   std::unique_ptr<Discretization> body = std::make_unique<Spring>())
       : march(scene, one(std::move(body)), options), recorder(march) {
     MarchEvents events;
     events.sample = [&](const March& m) {
@@ -106,16 +111,19 @@ TEST(March, StepOverTheLimitIsRefusedWithTheLimit) {
   const Scene s = scene_for(0.01);
   MarchOptions o;
   o.step = 1.1 * 2 / omega;
-  EXPECT_THAT([&] { Marched r(s, o); }, testing::ThrowsMessage<MotionError>(testing::HasSubstr("over the limit: the largest stable step is 0.1 s")));
+  EXPECT_THAT([&] { Marched r(s, o); }, testing::ThrowsMessage<MotionError>(testing::HasSubstr(
+                                            "over the limit: the largest stable step is 0.1 s")));
 }
 
-// A step load F: u(n) = F/k (1 - cos(omega_d t)) exactly, with omega_d of the leap-frog (start at rest is a symmetric start).
+// A step load F: u(n) = F/k (1 - cos(omega_d t)) exactly, with omega_d of the leap-frog (start at rest is a
+// symmetric start).
 TEST(March, StepLoadMovesWithTheDiscreteFrequency) {
   Scene s = scene_for(2.0);
   s.loads.push_back(push({40, 0, 0}));
   Marched r(s);
   const double dt = r.march.dt(), discrete = 2 / dt * std::asin(omega * dt / 2);
-  for (std::size_t n = 0; n < r.x().size(); ++n) ASSERT_NEAR(r.x()[n], 0.05 * (1 - std::cos(discrete * double(n) * dt)), 1e-12) << n;
+  for (std::size_t n = 0; n < r.x().size(); ++n)
+    ASSERT_NEAR(r.x()[n], 0.05 * (1 - std::cos(discrete * double(n) * dt)), 1e-12) << n;
   EXPECT_LT(r.worst, 1e-14 * 40 * 0.1);
 }
 
@@ -174,7 +182,8 @@ TEST(March, SettlesToTheStaticStateByEitherMethod) {
     EXPECT_NEAR(r.x().back(), 0.05, 0.05 * 2e-6);
     EXPECT_LT(std::abs(r.march.ledger().imbalance()), 1e-13);
     EXPECT_NEAR(r.march.ledger().damping + r.march.ledger().discrete, 40 * 0.05 / 2, 1e-5);
-    EXPECT_NEAR(r.march.ledger().discrete, 0.125 * std::pow(r.march.dt() * 40, 2) / mass_of_it, 1e-8);  // at the start, -dt^2/8 f^2/m
+    EXPECT_NEAR(r.march.ledger().discrete, 0.125 * std::pow(r.march.dt() * 40, 2) / mass_of_it,
+                1e-8);  // at the start, -dt^2/8 f^2/m
   }
 }
 
@@ -183,19 +192,22 @@ TEST(March, SupportsHoldAndUnsupportedScenesAreNamed) {
   Support hold;
   hold.fixed = {true, true, true};
   s.supports.push_back(hold);
-  EXPECT_THAT([&] { Marched r(s); }, testing::ThrowsMessage<MotionError>(testing::HasSubstr("nothing in this scene can move")));
+  EXPECT_THAT([&] { Marched r(s); },
+              testing::ThrowsMessage<MotionError>(testing::HasSubstr("nothing in this scene can move")));
   s.supports[0].place.sides = {"nowhere"};
   s.supports[0].place.source = {7, 3};
   s.file = "scene.toml";
-  EXPECT_THAT([&] { Marched r(s); }, testing::ThrowsMessage<MotionError>(testing::HasSubstr("scene.toml:7:3: this support finds no point of body \"body\"")));
+  EXPECT_THAT([&] { Marched r(s); }, testing::ThrowsMessage<MotionError>(testing::HasSubstr(
+                                         "scene.toml:7:3: this support finds no point of body \"body\"")));
 }
 
 TEST(March, StopsAtNotANumberWithStepPlaceAndAdvice) {
   Scene s = scene_for(10.0);
   s.loads.push_back(push({40, 0, 0}));
   EXPECT_THAT([&] { Marched r(s, {}, std::make_unique<Spring>(spring, 0.09)); },
-              testing::ThrowsMessage<MotionError>(testing::AllOf(testing::HasSubstr("stopped at step"), testing::HasSubstr("point 0 at (0.5, 0.25, 0) m"),
-                                                                 testing::HasSubstr("not a finite number"), testing::HasSubstr("--safety"))));
+              testing::ThrowsMessage<MotionError>(testing::AllOf(
+                  testing::HasSubstr("stopped at step"), testing::HasSubstr("point 0 at (0.5, 0.25, 0) m"),
+                  testing::HasSubstr("not a finite number"), testing::HasSubstr("--safety"))));
 }
 
 }  // namespace

@@ -1,4 +1,5 @@
-// Which bodies are in each other at the start: points and edges of the one against the boundary of the other, as displaced.
+// Which bodies are in each other at the start: points and edges of the one against the boundary of the other,
+// as displaced.
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -20,13 +21,15 @@ constexpr double tolerance = 1e-6;
 /// n x m x l cells of a box in space.
 struct Brick : test::FakeBody {
   Brick(Point origin, Point size, int n, int m, int l) {
-    const std::size_t row = std::size_t(n) + 1, sheet = row * (std::size_t(m) + 1), points = sheet * (std::size_t(l) + 1);
+    const std::size_t row = std::size_t(n) + 1, sheet = row * (std::size_t(m) + 1),
+                      points = sheet * (std::size_t(l) + 1);
     layout_ = {points, 3, 3, 1, 0, 3 * points};
     mass_.assign(points, 1.0);
     topology_.kind = Topology::Kind::hexahedra;
     for (int k = 0; k <= l; ++k)
       for (int j = 0; j <= m; ++j)
-        for (int i = 0; i <= n; ++i) points_.push_back(origin + Point{size[0] * i / n, size[1] * j / m, size[2] * k / l});
+        for (int i = 0; i <= n; ++i)
+          points_.push_back(origin + Point{size[0] * i / n, size[1] * j / m, size[2] * k / l});
     for (int k = 0; k < l; ++k)
       for (int j = 0; j < m; ++j)
         for (int i = 0; i < n; ++i) {
@@ -44,13 +47,18 @@ MovingBody body_of(std::unique_ptr<Discretization> d) {
   body.discretization = std::move(d);
   return body;
 }
-Surface grid(Point origin, double width, double height, int n, int m) { return Surface(body_of(std::make_unique<Grid>(origin, width, height, n, m)), 1, 1); }
-Surface brick(Point origin, Point size, int n, int m, int l) { return Surface(body_of(std::make_unique<Brick>(origin, size, n, m, l)), 1, 1); }
+Surface grid(Point origin, double width, double height, int n, int m) {
+  return Surface(body_of(std::make_unique<Grid>(origin, width, height, n, m)), 1, 1);
+}
+Surface brick(Point origin, Point size, int n, int m, int l) {
+  return Surface(body_of(std::make_unique<Brick>(origin, size, n, m, l)), 1, 1);
+}
 void shift(Surface& s, Point by) {
   for (Point& p : s.now) p = p + by;
 }
 
-// Every hundredth of a square that reaches beyond [0, 1]^2, on the rows of its points too: inside is inside, and the depth is the distance to the nearest side.
+// Every hundredth of a square that reaches beyond [0, 1]^2, on the rows of its points too: inside is inside,
+// and the depth is the distance to the nearest side.
 TEST(Overlap, KnowsInsideAndDepthInAPlane) {
   const Surface square = grid({0, 0, 0}, 1, 1, 4, 4);
   const Enclosure enclosure(square);
@@ -62,7 +70,8 @@ TEST(Overlap, KnowsInsideAndDepthInAPlane) {
     }
 }
 
-// The same of a box in space whose middle layer is moved sideways: a slanted, non-convex body. |x - lean(z)| <= 1/2 with lean = 1 - |z - 1|.
+// The same of a box in space whose middle layer is moved sideways: a slanted, non-convex body. |x - lean(z)|
+// <= 1/2 with lean = 1 - |z - 1|.
 TEST(Overlap, KnowsInsideInSpace) {
   Surface bent = brick({0, 0, 0}, {1, 1, 2}, 3, 3, 4);
   const auto lean = [](double z) { return 1 - std::abs(z - 1); };
@@ -73,7 +82,9 @@ TEST(Overlap, KnowsInsideInSpace) {
     for (int j = -3; j <= 13; ++j)
       for (int k = -3; k <= 23; ++k) {
         const Point p{0.1 * i, 0.1 * j, 0.1 * k};
-        const double exact = std::min({(p[0] - lean(p[2])) / std::sqrt(2), (1 + lean(p[2]) - p[0]) / std::sqrt(2), p[1], 1 - p[1], p[2], 2 - p[2]});
+        const double exact = std::min(
+            {(p[0] - lean(p[2])) / std::sqrt(2), (1 + lean(p[2]) - p[0]) / std::sqrt(2), p[1], 1 - p[1], p[2],
+             2 - p[2]});
         const double depth = enclosure.depth(p, tolerance);
         EXPECT_EQ(depth > 0, exact > 1e-9) << p[0] << " " << p[1] << " " << p[2];
         inside += depth > 0;
@@ -111,11 +122,14 @@ TEST(Overlap, OfABodyThatIsWhollyInsideIsFoundFromEitherSide) {
 // Two bars of one cell that cross: no point of the one is in the other.
 TEST(Overlap, OfCrossingBodiesIsFoundByTheirEdges) {
   EXPECT_TRUE(overlap_of(grid({-2, -0.5, 0}, 4, 1, 1, 1), grid({-0.5, -2, 0}, 1, 4, 1, 1), tolerance));
-  EXPECT_TRUE(overlap_of(brick({-2, -0.5, -0.5}, {4, 1, 1}, 1, 1, 1), brick({-0.4, -2, -0.4}, {0.8, 4, 0.8}, 1, 1, 1), tolerance));
-  EXPECT_FALSE(overlap_of(brick({-2, -0.5, -0.5}, {4, 1, 1}, 1, 1, 1), brick({-0.4, -2, 0.5}, {0.8, 4, 0.8}, 1, 1, 1), tolerance));
+  EXPECT_TRUE(overlap_of(brick({-2, -0.5, -0.5}, {4, 1, 1}, 1, 1, 1),
+                         brick({-0.4, -2, -0.4}, {0.8, 4, 0.8}, 1, 1, 1), tolerance));
+  EXPECT_FALSE(overlap_of(brick({-2, -0.5, -0.5}, {4, 1, 1}, 1, 1, 1),
+                          brick({-0.4, -2, 0.5}, {0.8, 4, 0.8}, 1, 1, 1), tolerance));
 }
 
-// Against a rigid box: a facet that it pokes through counts, whether or not a point is in it. Against a ball: points, and a ball that is wholly inside.
+// Against a rigid box: a facet that it pokes through counts, whether or not a point is in it. Against a ball:
+// points, and a ball that is wholly inside.
 TEST(Overlap, WithARigidBody) {
   const Surface square = grid({0, 0, 0}, 1, 1, 2, 2);
   EXPECT_FALSE(overlap_of(square, Box(2, {0.1, 1, 0}, {0.2, 1, 0}), tolerance));
@@ -136,18 +150,22 @@ struct Pair {
     scene.file = "pair.toml";
     scene.materials["m"] = Material{"m", 1, 0, Grid::rho};
     scene.bodies.push_back({"lower", std::make_shared<Box>(2, Point{0, 0, 0}, Point{1, 1, 0}), 1, "m"});
-    scene.bodies.push_back({"upper", std::make_shared<Box>(2, Point{0, 1 - overlap, 0}, Point{1, 1, 0}), 1, "m"});
+    scene.bodies.push_back(
+        {"upper", std::make_shared<Box>(2, Point{0, 1 - overlap, 0}, Point{1, 1, 0}), 1, "m"});
     scene.contacts.push_back({"fit", {0, 1}, 1, 0, {7, 1}, tied});
     for (int b = 0; b < 2; ++b) {
-      MovingBody body = body_of(std::make_unique<Grid>(Point{0, b == 0 ? 0 : 1 - overlap, 0}, 1, 1, 4 + 2 * b, 4 + 2 * b));
+      MovingBody body = body_of(
+          std::make_unique<Grid>(Point{0, b == 0 ? 0 : 1 - overlap, 0}, 1, 1, 4 + 2 * b, 4 + 2 * b));
       body.index = std::size_t(b);
       body.v = body.f = body.u;
-      for (std::size_t i = 0; i < body.u.size(); ++i) body.inverse_mass.push_back(1 / body.discretization->mass()[i / 2]);
+      for (std::size_t i = 0; i < body.u.size(); ++i)
+        body.inverse_mass.push_back(1 / body.discretization->mass()[i / 2]);
       bodies.push_back(std::move(body));
     }
   }
   std::string press() {
-    ContactPair pair(scene, scene.contacts[0], {ContactPair::Party{false, 0}, ContactPair::Party{false, 1}}, bodies);
+    ContactPair pair(
+        scene, scene.contacts[0], {ContactPair::Party{false, 0}, ContactPair::Party{false, 1}}, bodies);
     try {
       pair.add_forces(bodies, none, 0, 0);
     } catch (const MotionError& e) {
@@ -168,10 +186,13 @@ struct Pair {
   std::vector<RigidBody> none;
 };
 
-// What counts is where the bodies are: an interference that the displacements at the start take away is none, and one that they make is one.
+// What counts is where the bodies are: an interference that the displacements at the start take away is none,
+// and one that they make is one.
 TEST(Overlap, IsThatOfTheDisplacedBodies) {
   Pair fit(false, 0.01);
-  EXPECT_EQ(fit.press(), "pair.toml:7:1: contact \"fit\": the bodies overlap by 10 mm at the start; expected them apart or touching, at (0.25, 1, 0) m");
+  EXPECT_EQ(fit.press(),
+            "pair.toml:7:1: contact \"fit\": the bodies overlap by 10 mm at the start; expected them apart "
+            "or touching, at (0.25, 1, 0) m");
   for (std::size_t i = 1; i < fit.bodies[1].u.size(); i += 2) fit.bodies[1].u[i] = 0.02;
   EXPECT_EQ(fit.press(), "");
   Pair apart(false, -0.01);
@@ -182,7 +203,9 @@ TEST(Overlap, IsThatOfTheDisplacedBodies) {
 
 TEST(Overlap, OfTiedBodiesIsMassTwice) {
   EXPECT_EQ(Pair(true, 0).tie(), "");
-  EXPECT_THAT(Pair(true, 0.4).tie(), testing::AllOf(testing::HasSubstr("contact \"fit\": the bodies overlap by"), testing::HasSubstr("mass twice; expected them to touch")));
+  EXPECT_THAT(Pair(true, 0.4).tie(),
+              testing::AllOf(testing::HasSubstr("contact \"fit\": the bodies overlap by"),
+                             testing::HasSubstr("mass twice; expected them to touch")));
 }
 
 }  // namespace

@@ -7,10 +7,10 @@
 #include <map>
 #include <random>
 
-#include "model/results/recovery.hpp"
+#include "model/input/faults.hpp"
 #include "model/numerics/principal.hpp"
 #include "model/numerics/vectors.hpp"
-#include "model/input/faults.hpp"
+#include "model/results/recovery.hpp"
 
 namespace femsph::test {
 namespace {
@@ -25,7 +25,9 @@ MaterialUnits cells(int dim, std::array<int, 3> n, bool one_point, double angle 
     for (int j = 0; j < n[1]; ++j)
       for (int i = 0; i < n[0]; ++i)
         for (std::size_t q = 0; q < units.points_per_unit; ++q) {
-          const auto at = [&](int cell, std::size_t bit) { return cell + 0.5 + (one_point ? 0.0 : (q >> bit & 1 ? 0.5 : -0.5) / std::sqrt(3.0)); };
+          const auto at = [&](int cell, std::size_t bit) {
+            return cell + 0.5 + (one_point ? 0.0 : (q >> bit & 1 ? 0.5 : -0.5) / std::sqrt(3.0));
+          };
           const double x = at(i, 0), y = at(j, 1), z = dim == 3 ? at(k, 2) : 0.0;
           units.place.push_back({c * x - s * y, s * x + c * y, z});
           units.volume.push_back(1.0 / double(units.points_per_unit));
@@ -46,14 +48,16 @@ TEST(Recovery, TurnsWithTheBody) {
     for (const Point& p : {Point{0, 0, 0}, Point{2.3, 0, 1}, Point{2.6, 2.1, 1.3}}) {
       const double c = std::cos(0.7), s = std::sin(0.7);
       const auto straight = by_point(Recovery(cells(dim, {5, 4, 3}, false)).weights(p));
-      const auto turned = by_point(Recovery(cells(dim, {5, 4, 3}, false, 0.7)).weights({c * p[0] - s * p[1], s * p[0] + c * p[1], p[2]}));
+      const auto turned = by_point(Recovery(cells(dim, {5, 4, 3}, false, 0.7))
+                                       .weights({c * p[0] - s * p[1], s * p[0] + c * p[1], p[2]}));
       ASSERT_EQ(straight.size(), turned.size());
       for (const auto& [point, weight] : straight) EXPECT_NEAR(weight, turned.at(point), 1e-11);
     }
 }
 
-/// A beam of one cell over its height, or a bar of one by one: there is no second layer at any distance, and the reading stays where it is read. Across it
-/// the Gauss points tell the slope; one point a cell cannot, and is constant.
+/// A beam of one cell over its height, or a bar of one by one: there is no second layer at any distance, and
+/// the reading stays where it is read. Across it the Gauss points tell the slope; one point a cell cannot,
+/// and is constant.
 TEST(Recovery, OfABodyOneCellThickIsLocal) {
   for (const int dim : {2, 3})
     for (const bool one_point : {false, true}) {
@@ -63,7 +67,8 @@ TEST(Recovery, OfABodyOneCellThickIsLocal) {
         double along = 0, across = 0, sum = 0;
         for (const Weight& w : rule.weights(p)) {
           EXPECT_LT(std::abs(units.place[w.point][0] - p[0]), 6);
-          sum += w.weight, along += w.weight * units.place[w.point][0], across += w.weight * units.place[w.point][1];
+          sum += w.weight, along += w.weight * units.place[w.point][0],
+              across += w.weight * units.place[w.point][1];
         }
         EXPECT_NEAR(sum, 1, 1e-12);
         EXPECT_NEAR(along, p[0], 1e-10);
@@ -72,8 +77,9 @@ TEST(Recovery, OfABodyOneCellThickIsLocal) {
     }
 }
 
-/// A curved field: inside nearly exact. On a surface R = 2 sees two layers, which determine no curvature across it: x^2 continued by the line through its values at
-/// 1/2 and 3/2 cells is off by 3/4, and no more than that.
+/// A curved field: inside nearly exact. On a surface R = 2 sees two layers, which determine no curvature
+/// across it: x^2 continued by the line through its values at 1/2 and 3/2 cells is off by 3/4, and no more
+/// than that.
 TEST(Recovery, QuadraticFields) {
   for (const int dim : {2, 3}) {
     const MaterialUnits units = cells(dim, {8, 7, 6}, false);
@@ -92,7 +98,8 @@ TEST(Recovery, QuadraticFields) {
   }
 }
 
-/// Nothing of one side of a graded mesh reaches across cells of the other: distances are those of the cells at p.
+/// Nothing of one side of a graded mesh reaches across cells of the other: distances are those of the cells
+/// at p.
 TEST(Recovery, FindsTheNearestUnitByItsOwnMeasure) {
   MaterialUnits units;
   units.dim = 2;
@@ -109,7 +116,9 @@ TEST(Recovery, FindsTheNearestUnitByItsOwnMeasure) {
   const Recovery rule(units);
   for (const double x : {0.0, 3.0, 20.0, 90.0, left}) {
     double value = 0, furthest = 0;
-    for (const Weight& w : rule.weights({x, 3, 0})) value += w.weight * units.place[w.point][0], furthest = std::max(furthest, std::abs(units.place[w.point][0] - x));
+    for (const Weight& w : rule.weights({x, 3, 0}))
+      value += w.weight * units.place[w.point][0],
+          furthest = std::max(furthest, std::abs(units.place[w.point][0] - x));
     EXPECT_NEAR(value, x, 1e-12 * left);
     EXPECT_LT(furthest, 2 + 1.3 * x);
   }
@@ -122,7 +131,9 @@ TEST(Recovery, RefusesWhatIsFarFromTheBody) {
     rule.weights({6, 2, 0});
     ADD_FAILURE();
   } catch (const Refusal& e) {
-    EXPECT_STREQ(e.what(), "stress is read at (6, 2, 0) m, where the body has no cell or particle within two spacings; take a finer spacing");
+    EXPECT_STREQ(e.what(),
+                 "stress is read at (6, 2, 0) m, where the body has no cell or particle within two spacings; "
+                 "take a finer spacing");
   }
 }
 
@@ -143,7 +154,8 @@ TEST(Recovery, LimitInPlaneStressLeavesNothingAcross) {
   EXPECT_EQ(out[2], 0);
 }
 
-/// By the sign rule the surface is that of the place's own mean stress; by Rankine's no principal stress passes, and von Mises' stays.
+/// By the sign rule the surface is that of the place's own mean stress; by Rankine's no principal stress
+/// passes, and von Mises' stays.
 TEST(Recovery, LimitOfConcrete) {
   EXPECT_NEAR(von_mises(limited({5, 1, 0, 0, 0, 0}, {30, 3, none}, Plane::stress)), 3, 1e-14);
   EXPECT_NEAR(von_mises(limited({-5, -1, 0, 0, 0, 0}, {30, 3, none}, Plane::stress)), std::sqrt(21.0), 1e-14);
@@ -153,7 +165,8 @@ TEST(Recovery, LimitOfConcrete) {
   EXPECT_NEAR(cut[2], 0, 1e-12);
 }
 
-/// Weights that extrapolate do not carry what belongs to the material beyond the range of its points, and laws without return mapping know no bound.
+/// Weights that extrapolate do not carry what belongs to the material beyond the range of its points, and
+/// laws without return mapping know no bound.
 TEST(Recovery, HistoryStaysWithinItsPoints) {
   const std::vector<Weight> weights{{0, 1.5}, {1, -0.5}};
   MaterialState state;

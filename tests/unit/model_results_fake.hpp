@@ -1,5 +1,6 @@
 #pragma once
-// Two bodies small enough to know every number of: a mesh of two quadrilaterals, and five particles in padded rows.
+// Two bodies small enough to know every number of: a mesh of two quadrilaterals, and five particles in padded
+// rows.
 
 #include <cstdlib>
 #include <filesystem>
@@ -12,7 +13,8 @@
 
 namespace femsph::test {
 
-/// A discretization that only has what output asks for. Stress of material point m: {1, 2, 3, 4, 5, 6} + 10 m; strain: that / 1000.
+/// A discretization that only has what output asks for. Stress of material point m: {1, 2, 3, 4, 5, 6} + 10
+/// m; strain: that / 1000.
 class FakeBody : public Discretization {
  public:
   std::string describe() const override { return "fake"; }
@@ -45,7 +47,8 @@ class FakeBody : public Discretization {
   }
   Topology topology() const override { return topology_; }
 
-  /// A flat field whose component c of point i is i + c / 10 + offset; padding is -1, which must never come out.
+  /// A flat field whose component c of point i is i + c / 10 + offset; padding is -1, which must never come
+  /// out.
   std::vector<double> field(double offset) const {
     std::vector<double> flat(layout_.size, -1.0);
     for (std::size_t i = 0; i < layout_.points; ++i)
@@ -84,7 +87,8 @@ struct FakeBlock : FakeBody {
   }
 };
 
-/// Five particles on a line; one row per component, padded to eight, after four slots of padding. Volume 0.7 each.
+/// Five particles on a line; one row per component, padded to eight, after four slots of padding. Volume 0.7
+/// each.
 struct FakeParticles : FakeBody {
   FakeParticles() {
     layout_ = {5, 2, 1, 8, 4, 20};

@@ -1,5 +1,5 @@
-// What ParaView is told must be there: every HDF5 path that fields.xdmf names exists with the dimensions it states, after every
-// commit. Values are those of the fake bodies, whose numbers are known.
+// What ParaView is told must be there: every HDF5 path that fields.xdmf names exists with the dimensions it
+// states, after every commit. Values are those of the fake bodies, whose numbers are known.
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -20,7 +20,8 @@ using testing::HasSubstr;
 using testing::Pointwise;
 using testing::ThrowsMessage;
 
-/// Tags open and close in order, and attributes are quoted: enough of well-formed for a document without comments or CDATA.
+/// Tags open and close in order, and attributes are quoted: enough of well-formed for a document without
+/// comments or CDATA.
 void expect_well_formed(const std::string& xml) {
   const std::regex tag(R"re(<(/?)([A-Za-z]+)((?: [A-Za-z]+="[^"<]*")*)(/?)>)re");
   const std::string body = xml.substr(xml.find("?>") + 2);
@@ -103,11 +104,12 @@ TEST(Fields, EveryPathInTheXdmfExists) {
   EXPECT_EQ(count(xml, "<DataItem"), 32u);
   EXPECT_EQ(count(xml, "Center=\"Cell\""), 2u * 4u);
   EXPECT_EQ(count(xml, "<Time Value=\"0.7000000000000001\"/>"), 3u);  // 0.1 * 7 to the last bit
-  EXPECT_THAT(folder.files(), ElementsAre("fields.xdmf", "fields/000000.h5", "fields/000001.h5", "fields/bodies.h5"));
+  EXPECT_THAT(
+      folder.files(), ElementsAre("fields.xdmf", "fields/000000.h5", "fields/000001.h5", "fields/bodies.h5"));
 }
 
-/// Points come out of either layout without padding; a cell's stress is the mean over volumes 1 and 3: that of its first point
-/// (1 2 3 4 5 6 + 20 e, as xx yy zz xy yz zx) plus 7.5.
+/// Points come out of either layout without padding; a cell's stress is the mean over volumes 1 and 3: that
+/// of its first point (1 2 3 4 5 6 + 20 e, as xx yy zz xy yz zx) plus 7.5.
 TEST(Fields, ValuesAreThoseOfTheBodies) {
   const Folder folder;
   FieldWriter writer(folder.path());
@@ -120,20 +122,26 @@ TEST(Fields, ValuesAreThoseOfTheBodies) {
 
   EXPECT_THAT(read_hdf5(bodies, "/body0/cells").values, ElementsAre(0, 1, 4, 3, 1, 2, 5, 4));
   EXPECT_THAT(read_hdf5(bodies, "/body1/cells").values, ElementsAre(0, 1, 2, 3, 4));
-  EXPECT_THAT(read_hdf5(bodies, "/body1/points").values, ElementsAre(0, 3, 0, 0.5, 3, 0, 1, 3, 0, 1.5, 3, 0, 2, 3, 0));
+  EXPECT_THAT(read_hdf5(bodies, "/body1/points").values,
+              ElementsAre(0, 3, 0, 0.5, 3, 0, 1, 3, 0, 1.5, 3, 0, 2, 3, 0));
   EXPECT_EQ(read_text_attribute(bodies, "/body1", "name"), "grains");
-  EXPECT_THAT(read_hdf5(data, "/body1/displacement").values, ElementsAre(0, .1, 0, 1, 1.1, 0, 2, 2.1, 0, 3, 3.1, 0, 4, 4.1, 0));
-  EXPECT_THAT(read_hdf5(data, "/body0/velocity").values,
-              ElementsAre(100, 100.1, 0, 101, 101.1, 0, 102, 102.1, 0, 103, 103.1, 0, 104, 104.1, 0, 105, 105.1, 0));
+  EXPECT_THAT(read_hdf5(data, "/body1/displacement").values,
+              ElementsAre(0, .1, 0, 1, 1.1, 0, 2, 2.1, 0, 3, 3.1, 0, 4, 4.1, 0));
+  EXPECT_THAT(
+      read_hdf5(data, "/body0/velocity").values,
+      ElementsAre(100, 100.1, 0, 101, 101.1, 0, 102, 102.1, 0, 103, 103.1, 0, 104, 104.1, 0, 105, 105.1, 0));
 
   EXPECT_THAT(read_hdf5(data, "/body0/stress").values,
-              ElementsAre(8.5, 11.5, 13.5, 11.5, 9.5, 12.5, 13.5, 12.5, 10.5, 28.5, 31.5, 33.5, 31.5, 29.5, 32.5, 33.5, 32.5, 30.5));
+              ElementsAre(8.5, 11.5, 13.5, 11.5, 9.5, 12.5, 13.5, 12.5, 10.5, 28.5, 31.5, 33.5, 31.5, 29.5,
+                          32.5, 33.5, 32.5, 30.5));
   const auto strain = read_hdf5(data, "/body1/strain").values;
   EXPECT_EQ(std::vector<double>(strain.begin() + 9, strain.begin() + 18),
-            (std::vector<double>{.011, .014, .016, .014, .012, .015, .016, .015, .013}));  // exactly: no mean of one point
+            (std::vector<double>{
+                .011, .014, .016, .014, .012, .015, .016, .015, .013}));  // exactly: no mean of one point
 }
 
-/// Adding pressure changes no deviator, but the shears 4 5 6 + 10 m grow: sqrt((1 + 1 + 4)/2 + 3 (xy^2 + yz^2 + zx^2)).
+/// Adding pressure changes no deviator, but the shears 4 5 6 + 10 m grow: sqrt((1 + 1 + 4)/2 + 3 (xy^2 + yz^2
+/// + zx^2)).
 TEST(Fields, EquivalentStressIsVonMises) {
   const Folder folder;
   FieldWriter writer(folder.path());
@@ -148,9 +156,12 @@ TEST(Fields, EquivalentStressIsVonMises) {
   };
   const std::string data = folder / "fields/000000.h5";
   EXPECT_THAT(read_hdf5(data, "/body1/equivalent_stress").values,
-              Pointwise(testing::DoubleEq(), std::vector{expected(0), expected(1), expected(2), expected(3), expected(4)}));
-  EXPECT_THAT(read_hdf5(data, "/body0/equivalent_stress").values,
-              Pointwise(testing::DoubleEq(), std::vector{(expected(0) + 3 * expected(1)) / 4, (expected(2) + 3 * expected(3)) / 4}));
+              Pointwise(testing::DoubleEq(),
+                        std::vector{expected(0), expected(1), expected(2), expected(3), expected(4)}));
+  EXPECT_THAT(
+      read_hdf5(data, "/body0/equivalent_stress").values,
+      Pointwise(testing::DoubleEq(),
+                std::vector{(expected(0) + 3 * expected(1)) / 4, (expected(2) + 3 * expected(3)) / 4}));
 }
 
 TEST(Fields, UncommittedSnapshotsLeaveNothing) {
@@ -163,7 +174,8 @@ TEST(Fields, UncommittedSnapshotsLeaveNothing) {
   EXPECT_TRUE(folder.files().empty());
 }
 
-/// What goes to disk behind the caller is what commit() puts there, in the same order; the next call has waited for it.
+/// What goes to disk behind the caller is what commit() puts there, in the same order; the next call has
+/// waited for it.
 TEST(Fields, CommittedLaterIsTheSame) {
   const Folder at_once, later;
   for (const Folder* folder : {&at_once, &later}) {
@@ -171,8 +183,10 @@ TEST(Fields, CommittedLaterIsTheSame) {
     writer.add_body("beam", mesh);
     for (long step : {0, 7, 14}) {
       snapshot(writer, 0, mesh, step, 0.1 * double(step));
-      if (folder == &at_once) writer.commit();
-      else writer.commit_later();
+      if (folder == &at_once)
+        writer.commit();
+      else
+        writer.commit_later();
     }
     writer.settle();
     EXPECT_EQ(folder->files().size(), 5u);
@@ -191,7 +205,8 @@ TEST(Fields, WhatFailedLaterIsTold) {
   std::filesystem::create_directory(folder / "fields/000001.h5");
   snapshot(writer, 0, mesh, 1, 0.1);
   writer.commit_later();
-  EXPECT_THAT([&] { snapshot(writer, 0, mesh, 2, 0.2); }, ThrowsMessage<std::runtime_error>(HasSubstr("fields/000001.h5: Is a directory")));
+  EXPECT_THAT([&] { snapshot(writer, 0, mesh, 2, 0.2); },
+              ThrowsMessage<std::runtime_error>(HasSubstr("fields/000001.h5: Is a directory")));
   EXPECT_EQ(read(folder / "fields.xdmf"), before);  // the last good state
   std::filesystem::remove(folder / "fields/000001.h5");
   snapshot(writer, 0, mesh, 2, 0.2);  // takes the place of what was lost
@@ -202,7 +217,8 @@ TEST(Fields, WhatFailedLaterIsTold) {
 TEST(Fields, AnEarlierRunIsGoneAndNothingElse) {
   const Folder folder;
   std::filesystem::create_directory(folder / "fields");
-  for (const char* name : {"fields.xdmf", "fields/bodies.h5", "fields/000041.h5", "fields/mine.h5", "other.csv"})
+  for (const char* name :
+       {"fields.xdmf", "fields/bodies.h5", "fields/000041.h5", "fields/mine.h5", "other.csv"})
     std::ofstream(folder / name) << "before";
   const FieldWriter writer(folder.path());
   EXPECT_THAT(folder.files(), ElementsAre("fields/mine.h5", "other.csv"));
@@ -211,14 +227,16 @@ TEST(Fields, AnEarlierRunIsGoneAndNothingElse) {
 TEST(Fields, SaysWhatIsInTheWay) {
   const Folder folder;
   std::ofstream(folder / "file") << "x";
-  EXPECT_THAT([&] { FieldWriter writer(folder / "file"); },
-              ThrowsMessage<std::runtime_error>(AllOf(HasSubstr(folder / "file"), HasSubstr("Not a directory"))));
+  EXPECT_THAT(
+      [&] { FieldWriter writer(folder / "file"); },
+      ThrowsMessage<std::runtime_error>(AllOf(HasSubstr(folder / "file"), HasSubstr("Not a directory"))));
   FieldWriter writer(folder / "other");
   writer.add_body("beam", mesh);
   snapshot(writer, 0, mesh, 0, 0.0);
   std::filesystem::create_directory(folder / "other/fields/000000.h5");
   EXPECT_THAT([&] { writer.commit(); },
-              ThrowsMessage<std::runtime_error>(AllOf(HasSubstr(folder / "other/fields/000000.h5"), HasSubstr("Is a directory"))));
+              ThrowsMessage<std::runtime_error>(
+                  AllOf(HasSubstr(folder / "other/fields/000000.h5"), HasSubstr("Is a directory"))));
 }
 
 TEST(Fields, MisuseIsToldApart) {

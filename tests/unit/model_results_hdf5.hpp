@@ -31,7 +31,8 @@ inline Dataset read_hdf5(const std::string& file, const std::string& path) {
   return out;
 }
 
-inline std::string read_text_attribute(const std::string& file, const std::string& path, const std::string& name) {
+inline std::string read_text_attribute(const std::string& file, const std::string& path,
+                                       const std::string& name) {
   const hid_t f = H5Fopen(file.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT);
   const hid_t a = H5Aopen_by_name(f, path.c_str(), name.c_str(), H5P_DEFAULT, H5P_DEFAULT);
   if (a < 0) throw std::runtime_error("no attribute " + name + " of " + file + ":" + path);

@@ -1,5 +1,6 @@
-// Histories come back as they went in: CSV to the last bit (17 significant digits identify a double), HDF5 exactly.
-// Files appear whole or not at all: what fails leaves the old file, no temporary, and one sentence that names the file.
+// Histories come back as they went in: CSV to the last bit (17 significant digits identify a double), HDF5
+// exactly. Files appear whole or not at all: what fails leaves the old file, no temporary, and one sentence
+// that names the file.
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -38,7 +39,8 @@ std::vector<std::vector<double>> csv_rows(const std::string& text) {
   for (std::getline(in, line); std::getline(in, line);) {
     rows.emplace_back();
     std::istringstream fields(line);
-    for (std::string field; std::getline(fields, field, ',');) rows.back().push_back(std::strtod(field.c_str(), nullptr));
+    for (std::string field; std::getline(fields, field, ',');)
+      rows.back().push_back(std::strtod(field.c_str(), nullptr));
   }
   return rows;
 }
@@ -49,7 +51,8 @@ TEST(History, NamesItsColumnsWhenOneIsMissing) {
   EXPECT_TRUE(h.has("time"));
   EXPECT_FALSE(h.has("tip_y"));
   EXPECT_EQ(h.rows(), 4u);
-  EXPECT_THAT([&] { h["tip_y"]; }, ThrowsMessage<std::out_of_range>(AllOf(HasSubstr("\"tip_y\""), HasSubstr("time, tip_x"))));
+  EXPECT_THAT([&] { h["tip_y"]; },
+              ThrowsMessage<std::out_of_range>(AllOf(HasSubstr("\"tip_y\""), HasSubstr("time, tip_x"))));
   EXPECT_THROW(sample().add("time", "s"), std::logic_error);
 }
 
@@ -130,9 +133,12 @@ TEST(WholeFile, SaysWhatIsInTheWay) {
   write_text("a file", folder / "file");
   std::filesystem::create_directory(folder / "taken");
   const auto refuses = [&](const std::string& file, const std::string& why) {
-    EXPECT_THAT([&] { write_text("x", file); }, ThrowsMessage<std::runtime_error>(AllOf(HasSubstr(file), HasSubstr(why))));
-    EXPECT_THAT([&] { write_csv(sample(), file); }, ThrowsMessage<std::runtime_error>(AllOf(HasSubstr(file), HasSubstr(why))));
-    EXPECT_THAT([&] { write_hdf5(sample(), file); }, ThrowsMessage<std::runtime_error>(AllOf(HasSubstr(file), HasSubstr(why))));
+    EXPECT_THAT([&] { write_text("x", file); },
+                ThrowsMessage<std::runtime_error>(AllOf(HasSubstr(file), HasSubstr(why))));
+    EXPECT_THAT([&] { write_csv(sample(), file); },
+                ThrowsMessage<std::runtime_error>(AllOf(HasSubstr(file), HasSubstr(why))));
+    EXPECT_THAT([&] { write_hdf5(sample(), file); },
+                ThrowsMessage<std::runtime_error>(AllOf(HasSubstr(file), HasSubstr(why))));
   };
   refuses(folder / "taken", "Is a directory");
   refuses(folder / "none/x", "No such file or directory");
@@ -144,9 +150,11 @@ TEST(WholeFile, SaysWhatIsInTheWay) {
 TEST(WholeFile, SaysThatTheFolderIsNotWritable) {
   if (::geteuid() == 0) GTEST_SKIP() << "root may write everywhere";
   const Folder folder;
-  std::filesystem::permissions(folder.path(), std::filesystem::perms::owner_read | std::filesystem::perms::owner_exec);
-  EXPECT_THAT([&] { write_text("x", folder / "a"); },
-              ThrowsMessage<std::runtime_error>(AllOf(HasSubstr(folder / "a"), HasSubstr("Permission denied"))));
+  std::filesystem::permissions(
+      folder.path(), std::filesystem::perms::owner_read | std::filesystem::perms::owner_exec);
+  EXPECT_THAT(
+      [&] { write_text("x", folder / "a"); },
+      ThrowsMessage<std::runtime_error>(AllOf(HasSubstr(folder / "a"), HasSubstr("Permission denied"))));
   std::filesystem::permissions(folder.path(), std::filesystem::perms::owner_all);
 }
 
@@ -174,7 +182,8 @@ TEST(WholeFile, KeepsTheOldFileWhenTheDiskIsFull) {
   large.add("time", "s");
   large.columns[0].values.assign(10000, 1.0 / 3.0);
   for (const auto& [name, write] :
-       {std::pair<std::string, void (*)(const History&, const std::string&)>{"h.csv", write_csv}, {"h.h5", write_hdf5}}) {
+       {std::pair<std::string, void (*)(const History&, const std::string&)>{"h.csv", write_csv},
+        {"h.h5", write_hdf5}}) {
     write_text("old", folder / name);
     std::string message;
     try {

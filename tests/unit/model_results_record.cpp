@@ -29,7 +29,8 @@ RunRecord sample() {
   r.command = "femsph run 'a b.toml'\n--spacing=\"1 mm\"\x01\x7f";
   r.derived = {{"critical step", "1.25e-6 s"}, {"particles", "16441"}, {"a.b = \"c\"", "'''\"\"\"\xC3\xA9"}};
   r.ledger = {1.0 / 3.0, 2e-300, 3, -4, 5, 6, std::numeric_limits<double>::quiet_NaN()};
-  r.price = {1234567890123, 1e-7 / 3, 10, 11, 12, 4, 1000, 5000000000, {{"setup", 0.1}, {"critical step", 2}}};
+  r.price = {
+      1234567890123, 1e-7 / 3, 10, 11, 12, 4, 1000, 5000000000, {{"setup", 0.1}, {"critical step", 2}}};
   r.outcome = "step 12: the motion is not finite\nadvice: smaller step";
   r.finished_at = "2024-05-06T07:08:09Z";
   return r;
@@ -69,14 +70,16 @@ TEST(Record, SurvivesTextThatIsNotUtf8) {
   RunRecord r = sample();
   r.command = "femsph caf\xE9.toml";
   write_record(r, folder.path());
-  EXPECT_THAT(toml::parse_file(folder / "record.toml")["command"].value<std::string>().value(), StartsWith("femsph caf"));
+  EXPECT_THAT(toml::parse_file(folder / "record.toml")["command"].value<std::string>().value(),
+              StartsWith("femsph caf"));
 }
 
 TEST(Record, SaysWhatIsInTheWay) {
   const Folder folder;
   std::filesystem::create_directory(folder / "record.toml");
   EXPECT_THAT([&] { write_record(sample(), folder.path()); },
-              testing::ThrowsMessage<std::runtime_error>(testing::AllOf(HasSubstr(folder / "record.toml"), HasSubstr("Is a directory"))));
+              testing::ThrowsMessage<std::runtime_error>(
+                  testing::AllOf(HasSubstr(folder / "record.toml"), HasSubstr("Is a directory"))));
 }
 
 TEST(Provenance, HasTheBuildAndWhatOthersAdd) {
@@ -84,7 +87,8 @@ TEST(Provenance, HasTheBuildAndWhatOthersAdd) {
   add_provenance("other library", "2");
   std::map<std::string, std::string> all;
   for (const auto& [key, value] : provenance()) EXPECT_TRUE(all.emplace(key, value).second) << key;
-  for (const char* key : {"femsph", "git", "compiler", "build_type", "flags", "HDF5", "processor", "cores"}) EXPECT_NE(all[key], "") << key;
+  for (const char* key : {"femsph", "git", "compiler", "build_type", "flags", "HDF5", "processor", "cores"})
+    EXPECT_NE(all[key], "") << key;
   EXPECT_EQ(all["other library"], "2");
   EXPECT_THAT(version_line(), StartsWith("femsph " + all["femsph"]));
 }
@@ -99,7 +103,8 @@ TEST(Price, AddsPhasesAndCountsPerUnitStep) {
   EXPECT_DOUBLE_EQ(p.nanoseconds(), 10);
 }
 
-/// Sleeping takes wall time and no CPU time; memory that was touched counts in the peak also after it is given back.
+/// Sleeping takes wall time and no CPU time; memory that was touched counts in the peak also after it is
+/// given back.
 TEST(Price, ClocksAndMemory) {
   const double cpu = cpu_seconds(), wall = wall_seconds();
   std::this_thread::sleep_for(std::chrono::milliseconds(50));
@@ -115,8 +120,10 @@ TEST(Price, ClocksAndMemory) {
 }
 
 TEST(Progress, SaysStepTimeRateAndTimeLeft) {
-  EXPECT_EQ(progress_line("beam", 1000, 4000, 0.0125, 500), "beam: step 1000 of 4000, t = 0.0125 s, 500 steps/s, 6 s left");
-  EXPECT_EQ(progress_line("beam", 0, 8000000, 0, 1000), "beam: step 0 of 8000000, t = 0 s, 1000 steps/s, 2 h 13 min left");
+  EXPECT_EQ(progress_line("beam", 1000, 4000, 0.0125, 500),
+            "beam: step 1000 of 4000, t = 0.0125 s, 500 steps/s, 6 s left");
+  EXPECT_EQ(progress_line("beam", 0, 8000000, 0, 1000),
+            "beam: step 0 of 8000000, t = 0 s, 1000 steps/s, 2 h 13 min left");
   EXPECT_EQ(progress_line("beam", 7, 0, 0.5, 0), "beam: step 7, t = 0.5 s");
 }
 

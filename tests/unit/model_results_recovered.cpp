@@ -1,11 +1,12 @@
-// Fields by the one rule of reading, beside the raw ones: what is at every node is what a probe would read there, and plastic bodies stay on their yield surface.
+// Fields by the one rule of reading, beside the raw ones: what is at every node is what a probe would read
+// there, and plastic bodies stay on their yield surface.
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "model/results/recovery.hpp"
 #include "model/numerics/vectors.hpp"
 #include "model/results/fields.hpp"
+#include "model/results/recovery.hpp"
 #include "tests/unit/model_grid.hpp"
 #include "tests/unit/model_results_hdf5.hpp"
 
@@ -23,7 +24,9 @@ class StressedGrid : public Grid {
   }
   static std::array<double, 6> stress(const Point& x) { return {1 + x[0], 2 - x[1], 0, x[0] - x[1], 0, 0}; }
   Point material_position(std::size_t m) const override { return centres_[m]; }
-  MaterialUnits material_units() const override { return {2, 1, centres_, volumes_, {{0.0625, 0.04, 0, 0, 0, 0}}, {}}; }
+  MaterialUnits material_units() const override {
+    return {2, 1, centres_, volumes_, {{0.0625, 0.04, 0, 0, 0, 0}}, {}};
+  }
   void material_state(const double*, std::span<const std::size_t> points, MaterialState& out) const override {
     out = {};
     for (const std::size_t p : points) {
@@ -51,16 +54,20 @@ TEST(RecoveredFields, AreWhatAProbeReads) {
   const StressedGrid body;
   const Folder folder;
   const std::string file = written(folder, body, Plane::stress);
-  const auto stress = read_hdf5(file, "/body0/recovered_stress"), equivalent = read_hdf5(file, "/body0/recovered_equivalent_stress");
+  const auto stress = read_hdf5(file, "/body0/recovered_stress"),
+             equivalent = read_hdf5(file, "/body0/recovered_equivalent_stress");
   EXPECT_THAT(stress.shape, testing::ElementsAre(54u, 9u));
   for (std::size_t i = 0; i < 54; ++i) {
-    const auto exact = StressedGrid::stress(body.position(i));  // linear: exact but for weights of single precision
+    const auto exact = StressedGrid::stress(
+        body.position(i));  // linear: exact but for weights of single precision
     EXPECT_NEAR(stress.values[9 * i], exact[0], 1e-6);
     EXPECT_NEAR(stress.values[9 * i + 1], exact[3], 1e-6);
     EXPECT_NEAR(stress.values[9 * i + 4], exact[1], 1e-6);
     EXPECT_NEAR(equivalent.values[i], von_mises(exact), 1e-6);
   }
-  EXPECT_THAT(read(folder / "fields.xdmf"), testing::HasSubstr("<Attribute Name=\"recovered_stress\" AttributeType=\"Tensor\" Center=\"Node\">"));
+  EXPECT_THAT(
+      read(folder / "fields.xdmf"),
+      testing::HasSubstr("<Attribute Name=\"recovered_stress\" AttributeType=\"Tensor\" Center=\"Node\">"));
   EXPECT_THAT(read(folder / "fields.xdmf"), testing::Not(testing::HasSubstr("recovered_plastic_strain")));
 }
 
@@ -69,9 +76,11 @@ TEST(RecoveredFields, StayOnTheYieldSurface) {
   const Folder folder;
   const std::string file = written(folder, body, Plane::stress);
   double most = 0;
-  for (const double q : read_hdf5(file, "/body0/recovered_equivalent_stress").values) most = std::max(most, q);
+  for (const double q : read_hdf5(file, "/body0/recovered_equivalent_stress").values)
+    most = std::max(most, q);
   EXPECT_NEAR(most, 2, 1e-12);
-  const auto plastic = read_hdf5(file, "/body0/recovered_plastic_strain").values;  // within what the cells have
+  const auto plastic =
+      read_hdf5(file, "/body0/recovered_plastic_strain").values;  // within what the cells have
   EXPECT_NEAR(*std::max_element(plastic.begin(), plastic.end()), 1.75, 1e-12);
   EXPECT_NEAR(*std::min_element(plastic.begin(), plastic.end()), 0, 1e-12);
 }

@@ -1,5 +1,6 @@
-// A ball with its own cells: its volume comes near 4/3 pi R^3 with the square of the size, even or drawn to a pole; no corner is folded; cells at the
-// pole are as many times smaller as asked; neighbours share vertices; what its scene may not say.
+// A ball with its own cells: its volume comes near 4/3 pi R^3 with the square of the size, even or drawn to a
+// pole; no corner is folded; cells at the pole are as many times smaller as asked; neighbours share vertices;
+// what its scene may not say.
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -9,8 +10,8 @@
 #include <map>
 #include <set>
 
-#include "model/scene/shapes/multilinear.hpp"
 #include "model/scene/reader/reader.hpp"
+#include "model/scene/shapes/multilinear.hpp"
 #include "model/scene/shapes/structured_shapes.hpp"
 
 namespace femsph {
@@ -29,7 +30,8 @@ Patch patch_of(const CellMesh& mesh, const std::array<int, 8>& cell) {
 }
 
 struct Measured {
-  double volume = 0, worst = 1e300;  ///< worst: smallest Jacobian over a corner, as a share of the cell's volume
+  double volume = 0,
+         worst = 1e300;  ///< worst: smallest Jacobian over a corner, as a share of the cell's volume
 };
 
 Measured measured(const CellMesh& mesh) {
@@ -54,9 +56,11 @@ TEST(OwnBall, VolumeComesNearWithTheSquareOfTheSize) {
         double before = 0;
         for (const int n : {16, 32, 64}) {
           if (n == 64 && (part != Part::quarter || axis != 2)) continue;
-          const Point size{ball.upper()[0] - ball.lower()[0], ball.upper()[1] - ball.lower()[1], ball.upper()[2] - ball.lower()[2]};
+          const Point size{ball.upper()[0] - ball.lower()[0], ball.upper()[1] - ball.lower()[1],
+                           ball.upper()[2] - ball.lower()[2]};
           const double d = 0.08 / n;
-          const Measured m = measured(ball.mesh({int(std::lround(size[0] / d)), int(std::lround(size[1] / d)), int(std::lround(size[2] / d))}));
+          const Measured m = measured(ball.mesh(
+              {int(std::lround(size[0] / d)), int(std::lround(size[1] / d)), int(std::lround(size[2] / d))}));
           const double error = 1 - m.volume / ball.measure();
           EXPECT_GT(m.worst, 0.2) << ball.describe() << " " << n;
           EXPECT_GT(error, 0);  // chords for arcs
@@ -87,8 +91,13 @@ TEST(OwnBall, RimLiesOnTheSphereAndNeighboursShareVertices) {
     for (const auto& [face, count] : faces) {
       ASSERT_LE(count, 2);
       if (count == 2) continue;
-      const auto all_on = [&](const char* side) { return std::all_of(face.begin(), face.end(), [&](int v) { return ball.on_side(side, mesh.vertices[v], 1e-9); }); };
-      EXPECT_TRUE(all_on("outer") || (part != Part::whole && all_on("y-")) || (part == Part::quarter && all_on("x-"))) << ball.describe();
+      const auto all_on = [&](const char* side) {
+        return std::all_of(
+            face.begin(), face.end(), [&](int v) { return ball.on_side(side, mesh.vertices[v], 1e-9); });
+      };
+      EXPECT_TRUE(all_on("outer") || (part != Part::whole && all_on("y-")) ||
+                  (part == Part::quarter && all_on("x-")))
+          << ball.describe();
     }
     for (const Point& p : mesh.vertices) EXPECT_TRUE(ball.contains(p, 1e-12));
   }
@@ -123,13 +132,18 @@ TEST(OwnBall, HoldsItsPoints) {
   EXPECT_TRUE(ball.on_side("outer", {0.5, 2, 3}, 1e-9));
   EXPECT_FALSE(ball.on_side("outer", {0.6, 2, 3}, 1e-9));
   EXPECT_EQ(ball.describe(), "half ball of radius 500 mm");
-  EXPECT_EQ(OwnBall({{}, 0.01, 2, Part::quarter, 8}).describe(), "quarter ball of radius 10 mm, 8 times finer at z-");
+  EXPECT_EQ(OwnBall({{}, 0.01, 2, Part::quarter, 8}).describe(),
+            "quarter ball of radius 10 mm, 8 times finer at z-");
 }
 
 std::string fault_of(const std::string& rest, bool space = true) {
-  const std::string scene = std::string("[model]\nplane = \"") + (space ? "none" : "strain") + "\"\n[materials.m]\nlaw = \"elastic\"\nyoung = \"1 MPa\"\npoisson = 0.3\ndensity = \"1 kg/m^3\"\n"
-                            "[bodies.b]\nmaterial = \"m\"\nshape = \"ball\"\n" + (space ? "centre = [\"0 m\", \"0 m\", \"0 m\"]\n" : "centre = [\"0 m\", \"0 m\"]\nthickness = \"1 m\"\n") +
-                            rest + "[[loads]]\nat = \"z+\"\nforce = [\"1 N\", \"0 N\", \"0 N\"]\n[time]\nduration = \"1 s\"\n";
+  const std::string scene =
+      std::string("[model]\nplane = \"") + (space ? "none" : "strain") +
+      "\"\n[materials.m]\nlaw = \"elastic\"\nyoung = \"1 MPa\"\npoisson = 0.3\ndensity = \"1 kg/m^3\"\n"
+      "[bodies.b]\nmaterial = \"m\"\nshape = \"ball\"\n" +
+      (space ? "centre = [\"0 m\", \"0 m\", \"0 m\"]\n"
+             : "centre = [\"0 m\", \"0 m\"]\nthickness = \"1 m\"\n") +
+      rest + "[[loads]]\nat = \"z+\"\nforce = [\"1 N\", \"0 N\", \"0 N\"]\n[time]\nduration = \"1 s\"\n";
   try {
     parse_scene(scene, "ball.toml");
   } catch (const InputError& e) {
@@ -144,18 +158,24 @@ TEST(OwnBall, FaultsOfScenes) {
   EXPECT_EQ(fault_of(radius + "axis = \"y\"\npart = \"half\"\nfiner = 8\n"), "");
   for (const char* bad : {"0.5", "21", "nan", "-1"})
     EXPECT_THAT(fault_of(radius + "finer = " + bad + "\n"), HasSubstr("finer")) << bad;
-  EXPECT_EQ(fault_of(radius + "finer = 0.5\n"), "\"finer\" is 0.5; expected how many times finer the cells are at the pole, from 1 to 20");
-  EXPECT_EQ(fault_of(radius + "part = \"third\"\n"), "\"part\" is \"third\"; expected \"whole\", \"half\" or \"quarter\"");
+  EXPECT_EQ(fault_of(radius + "finer = 0.5\n"),
+            "\"finer\" is 0.5; expected how many times finer the cells are at the pole, from 1 to 20");
+  EXPECT_EQ(fault_of(radius + "part = \"third\"\n"),
+            "\"part\" is \"third\"; expected \"whole\", \"half\" or \"quarter\"");
   EXPECT_THAT(fault_of(""), HasSubstr("missing \"radius\""));
   EXPECT_EQ(fault_of(radius, false), "a ball in a plane scene; expected \"disc\"");
 }
 
 TEST(Supports, FaultsOfNames) {
-  const auto support = [](const std::string& more) { return "radius = \"1 m\"\n[[supports]]\nat = \"z-\"\nfix = [\"x\"]\n" + more; };
+  const auto support = [](const std::string& more) {
+    return "radius = \"1 m\"\n[[supports]]\nat = \"z-\"\nfix = [\"x\"]\n" + more;
+  };
   EXPECT_EQ(fault_of(support("name = \"root\"\n")), "");
-  EXPECT_EQ(fault_of(support("name = \"root\"\nmode = \"mean\"\n")), "\"name\" with mode = \"mean\"; expected it only on a support that holds every point");
+  EXPECT_EQ(fault_of(support("name = \"root\"\nmode = \"mean\"\n")),
+            "\"name\" with mode = \"mean\"; expected it only on a support that holds every point");
   EXPECT_THAT(fault_of(support("name = \"a,b\"\n")), HasSubstr("cannot be used; expected letters"));
-  EXPECT_EQ(fault_of(support("name = \"root\"\n[[supports]]\nname = \"root\"\nat = \"z+\"\nfix = [\"y\"]\n")), "the name \"root\" is taken; expected a name that no other support has");
+  EXPECT_EQ(fault_of(support("name = \"root\"\n[[supports]]\nname = \"root\"\nat = \"z+\"\nfix = [\"y\"]\n")),
+            "the name \"root\" is taken; expected a name that no other support has");
 }
 
 }  // namespace

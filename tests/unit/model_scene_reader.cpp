@@ -78,8 +78,8 @@ TEST(SceneReader, EffectsAreThoseAskedFor) {
   ASSERT_TRUE(scene.settling);
   EXPECT_DOUBLE_EQ(scene.settling->tolerance, 1e-3);
   EXPECT_DOUBLE_EQ(*scene.settling->rate, 1050);
-  EXPECT_THAT(scene.effects(),
-              ElementsAre("finite rotation", "supports", "loads", "initial velocity", "gravity", "damping", "settling by damping"));
+  EXPECT_THAT(scene.effects(), ElementsAre("finite rotation", "supports", "loads", "initial velocity",
+                                           "gravity", "damping", "settling by damping"));
   EXPECT_THAT(Scene{}.effects(), ElementsAre());
 }
 

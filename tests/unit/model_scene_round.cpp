@@ -1,5 +1,6 @@
-// Rings, discs, tubes, cylinders and quadrilaterals: what they hold, their sides, and their own cells, whose area comes near the shape's
-// with the square of the size (the rim is cut into chords: a sector of angle a loses a - sin a of a) and whose corners are never folded.
+// Rings, discs, tubes, cylinders and quadrilaterals: what they hold, their sides, and their own cells, whose
+// area comes near the shape's with the square of the size (the rim is cut into chords: a sector of angle a
+// loses a - sin a of a) and whose corners are never folded.
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -8,8 +9,8 @@
 #include <map>
 #include <set>
 
-#include "model/scene/shapes/multilinear.hpp"
 #include "model/scene/reader/reader.hpp"
+#include "model/scene/shapes/multilinear.hpp"
 #include "model/scene/shapes/structured_shapes.hpp"
 
 namespace femsph {
@@ -28,7 +29,8 @@ Patch patch_of(const CellMesh& mesh, const std::array<int, 8>& cell) {
 }
 
 struct Measured {
-  double volume = 0, worst = 1e300;  ///< worst: smallest Jacobian over a corner, as a share of the cell's volume
+  double volume = 0,
+         worst = 1e300;  ///< worst: smallest Jacobian over a corner, as a share of the cell's volume
 };
 
 Measured measured(const CellMesh& mesh) {
@@ -47,7 +49,9 @@ std::vector<Round> samples(int dim) {
   std::vector<Round> all;
   for (const Part part : {Part::whole, Part::half, Part::quarter})
     for (const double inner : {0.0, 0.03, 0.01})
-      for (const int axis : {0, 2}) all.emplace_back(dim, Round::Size{{0.1, -0.2, dim == 3 ? 0.3 : 0}, inner, 0.04, dim == 3 ? 0.05 : 0, axis, part});
+      for (const int axis : {0, 2})
+        all.emplace_back(
+            dim, Round::Size{{0.1, -0.2, dim == 3 ? 0.3 : 0}, inner, 0.04, dim == 3 ? 0.05 : 0, axis, part});
   return all;
 }
 
@@ -82,7 +86,9 @@ TEST(Round, NeighboursShareVertices) {
     EXPECT_LE(count, 2);
     if (count > 1) continue;
     ++lone;
-    for (const int v : edge) EXPECT_TRUE(ring.on_side("inner", mesh.vertices[v], 1e-12) || ring.on_side("outer", mesh.vertices[v], 1e-12));
+    for (const int v : edge)
+      EXPECT_TRUE(ring.on_side("inner", mesh.vertices[v], 1e-12) ||
+                  ring.on_side("outer", mesh.vertices[v], 1e-12));
   }
   EXPECT_EQ(lone, int(2 * mesh.cells.size() / 2));  // two layers across the wall
 }
@@ -122,8 +128,11 @@ TEST(Quadrilateral, CooksMembrane) {
 }
 
 std::string fault_of(const std::string& body, bool space) {
-  const std::string scene = std::string("[model]\nplane = \"") + (space ? "none" : "strain") + "\"\n[materials.m]\nlaw = \"elastic\"\nyoung = \"1 MPa\"\npoisson = 0.3\ndensity = \"1 kg/m^3\"\n"
-                            "[bodies.b]\nmaterial = \"m\"\n" + (space ? "" : "thickness = \"1 m\"\n") + body + "[time]\nduration = \"1 s\"\n";
+  const std::string scene =
+      std::string("[model]\nplane = \"") + (space ? "none" : "strain") +
+      "\"\n[materials.m]\nlaw = \"elastic\"\nyoung = \"1 MPa\"\npoisson = 0.3\ndensity = \"1 kg/m^3\"\n"
+      "[bodies.b]\nmaterial = \"m\"\n" +
+      (space ? "" : "thickness = \"1 m\"\n") + body + "[time]\nduration = \"1 s\"\n";
   try {
     parse_scene(scene, "round.toml");
   } catch (const InputError& e) {
@@ -135,25 +144,39 @@ std::string fault_of(const std::string& body, bool space) {
 TEST(Round, FaultsOfScenes) {
   const std::string ring = "shape = \"ring\"\ncentre = [\"0 mm\", \"0 mm\"]\n";
   EXPECT_EQ(fault_of(ring + "inner = \"30 mm\"\nouter = \"40 mm\"\npart = \"quarter\"\n", false), "");
-  EXPECT_EQ(fault_of(ring + "inner = \"40 mm\"\nouter = \"40 mm\"\n", false), "\"inner\" is 40 mm, not below \"outer\", 40 mm; expected the smaller radius");
-  EXPECT_EQ(fault_of(ring + "inner = \"30 mm\"\nouter = \"40 mm\"\npart = \"third\"\n", false), "\"part\" is \"third\"; expected \"whole\", \"half\" or \"quarter\"");
+  EXPECT_EQ(fault_of(ring + "inner = \"40 mm\"\nouter = \"40 mm\"\n", false),
+            "\"inner\" is 40 mm, not below \"outer\", 40 mm; expected the smaller radius");
+  EXPECT_EQ(fault_of(ring + "inner = \"30 mm\"\nouter = \"40 mm\"\npart = \"third\"\n", false),
+            "\"part\" is \"third\"; expected \"whole\", \"half\" or \"quarter\"");
   EXPECT_THAT(fault_of(ring + "outer = \"40 mm\"\n", false), HasSubstr("missing \"inner\""));
-  EXPECT_EQ(fault_of("shape = \"ring\"\ncentre = [\"0 mm\", \"0 mm\", \"0 mm\"]\ninner = \"30 mm\"\nouter = \"40 mm\"\n", true), "a ring in a three-dimensional scene; expected \"tube\"");
-  const std::string cylinder = "shape = \"cylinder\"\ncentre = [\"0 mm\", \"0 mm\", \"0 mm\"]\nradius = \"3 mm\"\n";
+  EXPECT_EQ(
+      fault_of(
+          "shape = \"ring\"\ncentre = [\"0 mm\", \"0 mm\", \"0 mm\"]\ninner = \"30 mm\"\nouter = \"40 mm\"\n",
+          true),
+      "a ring in a three-dimensional scene; expected \"tube\"");
+  const std::string cylinder =
+      "shape = \"cylinder\"\ncentre = [\"0 mm\", \"0 mm\", \"0 mm\"]\nradius = \"3 mm\"\n";
   EXPECT_EQ(fault_of(cylinder + "axis = \"y\"\nlength = \"32 mm\"\n", true), "");
   EXPECT_THAT(fault_of(cylinder + "length = \"32 mm\"\n", true), HasSubstr("missing \"axis\""));
-  EXPECT_THAT(fault_of(cylinder + "axis = \"y\"\nlength = \"0 mm\"\n", true), HasSubstr("expected a length greater than zero"));
-  const std::string cook = "shape = \"quadrilateral\"\ncorner1 = [\"0 m\", \"0 m\"]\ncorner2 = [\"48 m\", \"44 m\"]\ncorner3 = [\"48 m\", \"60 m\"]\n";
+  EXPECT_THAT(fault_of(cylinder + "axis = \"y\"\nlength = \"0 mm\"\n", true),
+              HasSubstr("expected a length greater than zero"));
+  const std::string cook =
+      "shape = \"quadrilateral\"\ncorner1 = [\"0 m\", \"0 m\"]\ncorner2 = [\"48 m\", \"44 m\"]\ncorner3 = "
+      "[\"48 m\", \"60 m\"]\n";
   EXPECT_EQ(fault_of(cook + "corner4 = [\"0 m\", \"44 m\"]\n", false), "");
   EXPECT_EQ(fault_of(cook + "corner4 = [\"60 m\", \"50 m\"]\n", false),
-            "the corners turn the wrong way at \"corner3\"; expected a convex quadrilateral, counterclockwise from the lower left");
+            "the corners turn the wrong way at \"corner3\"; expected a convex quadrilateral, "
+            "counterclockwise from the lower left");
 }
 
 TEST(Pressure, FaultsOfScenes) {
-  const std::string ring = "shape = \"ring\"\ncentre = [\"0 mm\", \"0 mm\"]\ninner = \"30 mm\"\nouter = \"40 mm\"\n";
+  const std::string ring =
+      "shape = \"ring\"\ncentre = [\"0 mm\", \"0 mm\"]\ninner = \"30 mm\"\nouter = \"40 mm\"\n";
   EXPECT_EQ(fault_of(ring + "[[loads]]\nat = \"inner\"\npressure = \"100 MPa\"\n", false), "");
-  EXPECT_EQ(fault_of(ring + "[[loads]]\nat = \"all\"\npressure = \"100 MPa\"\n", false), "\"pressure\" needs one side of a body; expected at = \"x+\" or the like");
-  EXPECT_EQ(fault_of(ring + "[[loads]]\nat = \"inner\"\npressure = \"100 MPa\"\nforce = [\"1 N\", \"0 N\"]\n", false),
+  EXPECT_EQ(fault_of(ring + "[[loads]]\nat = \"all\"\npressure = \"100 MPa\"\n", false),
+            "\"pressure\" needs one side of a body; expected at = \"x+\" or the like");
+  EXPECT_EQ(fault_of(ring + "[[loads]]\nat = \"inner\"\npressure = \"100 MPa\"\nforce = [\"1 N\", \"0 N\"]\n",
+                     false),
             "both \"force\" and \"pressure\"; expected one of them");
 }
 

@@ -1,11 +1,11 @@
 // Shapes answer for points; meshes arrive from Gmsh with positive cells. The mesh files are drawn by hand:
-//   l_shape.msh    three unit squares of (0,2)^2 without its upper right quarter, one of them clockwise, one vertex unused;
-//   two_hexes.msh  (0,2) x (0,1) x (0,1) sheared by x += z/2, its second cell with the top below the bottom.
+//   l_shape.msh    three unit squares of (0,2)^2 without its upper right quarter, one of them clockwise, one
+//   vertex unused; two_hexes.msh  (0,2) x (0,1) x (0,1) sheared by x += z/2, its second cell with the top
+//   below the bottom.
 
 #include <gmock/gmock.h>
 #include <gmsh.h>
 #include <gtest/gtest.h>
-
 #include <sys/stat.h>
 
 #include <atomic>
@@ -85,8 +85,10 @@ TEST(MeshShape, SidesAreTheBoundingBoxAndThePhysicalGroups) {
 
 TEST(MeshShape, CellsAreLexicographicAndPositive) {
   const MeshShape plane = l_shape(), space = two_hexes();
-  for (int cell = 0; cell < 3; ++cell) EXPECT_NEAR(smallest_corner_jacobian(patch_of(*plane.cells(), cell)), 1e-6, 1e-18);
-  for (int cell = 0; cell < 2; ++cell) EXPECT_NEAR(smallest_corner_jacobian(patch_of(*space.cells(), cell)), 1.0, 1e-12);
+  for (int cell = 0; cell < 3; ++cell)
+    EXPECT_NEAR(smallest_corner_jacobian(patch_of(*plane.cells(), cell)), 1e-6, 1e-18);
+  for (int cell = 0; cell < 2; ++cell)
+    EXPECT_NEAR(smallest_corner_jacobian(patch_of(*space.cells(), cell)), 1.0, 1e-12);
 }
 
 TEST(MeshShape, HexahedraInSpace) {
@@ -100,7 +102,16 @@ TEST(MeshShape, HexahedraInSpace) {
 }
 
 TEST(Multilinear, FindsPointsOfADistortedHexahedron) {
-  const Patch patch{3, {{{0, 0, 0}, {2, .2, -.1}, {-.2, 1, 0}, {1.7, 1.4, .2}, {.1, .1, 1}, {2.2, 0, .8}, {0, 1.1, 1.3}, {1.5, 1, 1}}}};
+  const Patch patch{
+      3,
+      {{{0, 0, 0},
+        {2, .2, -.1},
+        {-.2, 1, 0},
+        {1.7, 1.4, .2},
+        {.1, .1, 1},
+        {2.2, 0, .8},
+        {0, 1.1, 1.3},
+        {1.5, 1, 1}}}};
   ASSERT_GT(smallest_corner_jacobian(patch), 0);
   for (int i = 0; i <= 64; ++i) {
     const std::array<double, 3> xi = {(i % 5) / 4.0, (i / 5 % 5) / 4.0, (i / 25) / 2.0};
@@ -111,20 +122,27 @@ TEST(Multilinear, FindsPointsOfADistortedHexahedron) {
 
 TEST(Gmsh, RefusesOtherCellsWithOneSentence) {
   const std::string quads = "linear quadrilaterals (in Gmsh: Recombine Surface, first order)";
-  EXPECT_EQ(complaint("triangles.msh", 2), "\"" + folder + "triangles.msh\" holds cells of type \"Triangle 3\"; expected only " + quads);
+  EXPECT_EQ(complaint("triangles.msh", 2),
+            "\"" + folder + "triangles.msh\" holds cells of type \"Triangle 3\"; expected only " + quads);
   EXPECT_EQ(complaint("two_hexes.msh", 2),
-            "\"" + folder + "two_hexes.msh\" holds cells of type \"Hexahedron 8\" in a plane scene; expected " + quads);
+            "\"" + folder +
+                "two_hexes.msh\" holds cells of type \"Hexahedron 8\" in a plane scene; expected " + quads);
   EXPECT_EQ(complaint("l_shape.msh", 3),
             "\"" + folder +
-                "l_shape.msh\" holds no 3-dimensional cells; expected linear hexahedra (in Gmsh: transfinite or extruded recombined "
+                "l_shape.msh\" holds no 3-dimensional cells; expected linear "
+                "hexahedra (in Gmsh: transfinite or extruded recombined "
                 "volumes, first order)");
+  EXPECT_EQ(complaint("bow_tie.msh", 2), "cell 1 of \"" + folder +
+                                             "bow_tie.msh\" is folded or flat (its Jacobian is not positive "
+                                             "at every Gauss point); expected convex cells");
+  EXPECT_EQ(complaint("upright.msh", 2),
+            "\"" + folder + "upright.msh\" leaves the plane z = 0; expected a plane mesh in x and y");
   EXPECT_EQ(
-      complaint("bow_tie.msh", 2),
-      "cell 1 of \"" + folder + "bow_tie.msh\" is folded or flat (its Jacobian is not positive at every Gauss point); expected convex cells");
-  EXPECT_EQ(complaint("upright.msh", 2), "\"" + folder + "upright.msh\" leaves the plane z = 0; expected a plane mesh in x and y");
-  EXPECT_EQ(complaint("none.msh", 2), "no such file \"" + folder + "none.msh\"; expected a .msh file of Gmsh");
-  EXPECT_EQ(complaint("not_a_mesh.msh", 2), "\"" + folder + "not_a_mesh.msh\" is not a .msh file; expected a mesh saved by Gmsh");
-  EXPECT_EQ(complaint("cantilever.toml", 2), "\"" + folder + "cantilever.toml\" is not a .msh file; expected a mesh saved by Gmsh");
+      complaint("none.msh", 2), "no such file \"" + folder + "none.msh\"; expected a .msh file of Gmsh");
+  EXPECT_EQ(complaint("not_a_mesh.msh", 2),
+            "\"" + folder + "not_a_mesh.msh\" is not a .msh file; expected a mesh saved by Gmsh");
+  EXPECT_EQ(complaint("cantilever.toml", 2),
+            "\"" + folder + "cantilever.toml\" is not a .msh file; expected a mesh saved by Gmsh");
 }
 
 TEST(Gmsh, EveryVersionOfTheFormat) {
@@ -156,7 +174,8 @@ TEST(Gmsh, MeshWithoutGroups) {
   EXPECT_DOUBLE_EQ(MeshShape(mesh, "no_groups.msh").measure(), 6);
 }
 
-// Gmsh itself does not survive all of these: each damaged file is read, or refused with one sentence that names it.
+// Gmsh itself does not survive all of these: each damaged file is read, or refused with one sentence that
+// names it.
 TEST(Gmsh, DamagedFilesAreRefusedWithOneSentence) {
   const std::string file = testing::TempDir() + "femsph_damaged.msh";
   const auto content = [](const std::string& name) {
@@ -180,17 +199,23 @@ TEST(Gmsh, DamagedFilesAreRefusedWithOneSentence) {
         read_gmsh(file, dim, 1.0);
       } catch (const std::runtime_error& e) {
         ++refused;
-        EXPECT_THAT(e.what(), testing::AllOf(testing::HasSubstr("femsph_damaged.msh"), testing::Not(testing::HasSubstr("\n"))));
+        EXPECT_THAT(e.what(), testing::AllOf(testing::HasSubstr("femsph_damaged.msh"),
+                                             testing::Not(testing::HasSubstr("\n"))));
       }
     }
   };
   for (const std::string& original : originals)
     for (int k = 0; k < 30; ++k) {
       std::string bytes = original;
-      const std::size_t at = 12 + random() % (bytes.size() - 12);  // behind "$MeshFormat", without which no file gets as far as Gmsh
-      if (k % 3 == 0) bytes.resize(at);
-      else if (k % 3 == 1) bytes[at] = char(random());
-      else bytes.insert(at, "99999999999");
+      const std::size_t at =
+          12 +
+          random() % (bytes.size() - 12);  // behind "$MeshFormat", without which no file gets as far as Gmsh
+      if (k % 3 == 0)
+        bytes.resize(at);
+      else if (k % 3 == 1)
+        bytes[at] = char(random());
+      else
+        bytes.insert(at, "99999999999");
       try_to_read(bytes);
     }
   EXPECT_GT(refused, 90);

@@ -1,13 +1,14 @@
-// Places without a finite value: a force or a reaction on a point (in space: on a line), the end of a clamp, a re-entrant corner. A warning is given
-// where something is read there, and nowhere else: the paper's cantilever, loaded on a corner and read at mid height, has its limit.
+// Places without a finite value: a force or a reaction on a point (in space: on a line), the end of a clamp,
+// a re-entrant corner. A warning is given where something is read there, and nowhere else: the paper's
+// cantilever, loaded on a corner and read at mid height, has its limit.
 
 #include <gmock/gmock.h>
 
 #include <cmath>
 
 #include "model/scene/reader/reader.hpp"
-#include "model/scene/singular.hpp"
 #include "model/scene/shapes/structured_shapes.hpp"
+#include "model/scene/singular.hpp"
 
 namespace femsph {
 namespace {
@@ -24,7 +25,8 @@ Scene beam(int dim = 2) {
   Scene scene;
   scene.plane = dim == 2 ? Plane::stress : Plane::none;
   scene.materials["steel"] = {"steel", 2.1e11, 0.3, 7850};
-  scene.bodies.push_back({"beam", std::make_shared<Box>(dim, Point{0, 0, 0}, Point{1, 0.1, dim == 3 ? 0.1 : 0}), 0.1, "steel"});
+  scene.bodies.push_back(
+      {"beam", std::make_shared<Box>(dim, Point{0, 0, 0}, Point{1, 0.1, dim == 3 ? 0.1 : 0}), 0.1, "steel"});
   return scene;
 }
 Scene cantilever() {
@@ -33,7 +35,9 @@ Scene cantilever() {
   scene.loads.push_back({Place{0, {"x+", "y+"}, {}, {}}, {0, -25e3, 0}, {}});
   return scene;
 }
-void read(Scene& scene, const std::string& name, Quantity quantity, Point at) { scene.probes.push_back({name, 0, quantity, at}); }
+void read(Scene& scene, const std::string& name, Quantity quantity, Point at) {
+  scene.probes.push_back({name, 0, quantity, at});
+}
 
 /// What is read at singular places, by kind.
 std::vector<std::string> observers(const Scene& scene, SingularPlace::Kind kind) {
@@ -56,8 +60,11 @@ TEST(Singular, AForceOnACornerMattersOnlyToWhatIsReadThere) {
   ASSERT_THAT(near, SizeIs(1));
   EXPECT_THAT(near[0].observers, ElementsAre("under", "near"));
   EXPECT_TRUE(near[0].certain());
-  // Michell's wedge of a right angle, loaded along a side: (1/(pi/2 + 1) + 1/(pi/2 - 1)) 25 kN ln 2/(210 GPa 0.1 m) = 1.767e-6 m.
-  EXPECT_THAT(near[0].text, AllOf(HasSubstr("a force on a point: the exact displacement and stress there are infinite"), HasSubstr("gains about 0.00177 mm with every halving")));
+  // Michell's wedge of a right angle, loaded along a side: (1/(pi/2 + 1) + 1/(pi/2 - 1)) 25 kN ln 2/(210 GPa
+  // 0.1 m) = 1.767e-6 m.
+  EXPECT_THAT(near[0].text,
+              AllOf(HasSubstr("a force on a point: the exact displacement and stress there are infinite"),
+                    HasSubstr("gains about 0.00177 mm with every halving")));
 }
 
 TEST(Singular, AForceOnASideHasItsLimit) {
@@ -86,7 +93,8 @@ TEST(Singular, InSpaceALineIsNoSide) {
 
 TEST(Singular, ADiscsLowestPlaceIsAPoint) {
   Scene scene = beam();
-  scene.bodies[0].shape = std::make_shared<Round>(2, Round::Size{{0, 0, 0}, 0, 0.1, 0, 2, Round::Part::whole});
+  scene.bodies[0].shape = std::make_shared<Round>(
+      2, Round::Size{{0, 0, 0}, 0, 0.1, 0, 2, Round::Part::whole});
   scene.loads.push_back({Place{0, {"y+"}, {}, {}}, {0, -1, 0}, {}});
   read(scene, "top", Quantity::displacement, {0, 0.1, 0});
   EXPECT_THAT(observers(scene, Kind::force), ElementsAre("top"));
@@ -94,7 +102,8 @@ TEST(Singular, ADiscsLowestPlaceIsAPoint) {
   EXPECT_THAT(singular_places(scene), IsEmpty());
 }
 
-// Three-point bending: the whole beam sinks into its supports; the pin's x bears nothing, since nothing acts along x and it alone holds it.
+// Three-point bending: the whole beam sinks into its supports; the pin's x bears nothing, since nothing acts
+// along x and it alone holds it.
 TEST(Singular, PointSupportsThatBearAReaction) {
   Scene scene = beam();
   scene.supports.push_back({Place{0, {}, Point{0.1, 0, 0}, {}}, {true, true, false}});
@@ -123,10 +132,12 @@ TEST(Singular, APointSupportThatBearsNothing) {
   EXPECT_THAT(observers(scene, Kind::hold), ElementsAre("end"));
 }
 
-// 0.7112 for nu = 0.3 in plane strain is the value of the literature (Williams 1952; Szabo and Babuska 1991, example of the clamped square).
+// 0.7112 for nu = 0.3 in plane strain is the value of the literature (Williams 1952; Szabo and Babuska 1991,
+// example of the clamped square).
 TEST(Singular, ExponentOfAClampedCorner) {
   EXPECT_NEAR(clamped_corner_exponent(0.3, Plane::strain), 0.7112, 1e-4);
-  EXPECT_NEAR(clamped_corner_exponent(0.3, Plane::stress), clamped_corner_exponent(0.3 / 1.3, Plane::strain), 1e-12);
+  EXPECT_NEAR(
+      clamped_corner_exponent(0.3, Plane::stress), clamped_corner_exponent(0.3 / 1.3, Plane::strain), 1e-12);
   EXPECT_EQ(clamped_corner_exponent(0, Plane::strain), 1);
 }
 
@@ -161,7 +172,8 @@ TEST(Singular, StressWhereAClampEnds) {
 
 TEST(Singular, StressWhereAHeldPatchEnds) {
   Scene scene = beam();
-  scene.supports.push_back({Place{0, {"y-"}, {}, {}, Region{{0, 0, 0}, {0.2, 0.1, 0}}}, {false, true, false}});
+  scene.supports.push_back(
+      {Place{0, {"y-"}, {}, {}, Region{{0, 0, 0}, {0.2, 0.1, 0}}}, {false, true, false}});
   read(scene, "end", Quantity::stress, {0.2, 0, 0});
   read(scene, "inside", Quantity::stress, {0.1, 0, 0});
   EXPECT_THAT(observers(scene, Kind::clamp), ElementsAre("end"));
@@ -209,7 +221,8 @@ point = ["1 m", )";
   EXPECT_THAT(parse_scene(text + "\"50 mm\"]\n", "s.toml").warnings, IsEmpty());
   const auto warnings = parse_scene(text + "\"100 mm\"]\n", "s.toml").warnings;
   ASSERT_THAT(warnings, SizeIs(1));
-  EXPECT_THAT(warnings[0], AllOf(StartsWith("s.toml:18:6: a force on a point"), HasSubstr("for what \"tip\" reads there")));
+  EXPECT_THAT(warnings[0], AllOf(StartsWith("s.toml:18:6: a force on a point"),
+                                 HasSubstr("for what \"tip\" reads there")));
 }
 
 }  // namespace

@@ -1,5 +1,5 @@
-// A step that follows the deformation, on one mass and one spring: the ledger and the motion do not notice that the step changes, and the
-// limits hold.
+// A step that follows the deformation, on one mass and one spring: the ledger and the motion do not notice
+// that the step changes, and the limits hold.
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -15,27 +15,35 @@ namespace {
 using testing::AllOf;
 using testing::HasSubstr;
 
-constexpr double mass_of_it = 2.0, omega = 20.0, fast = 400.0;  // 1/s; the critical step is 2 / fast = 0.005 s
+constexpr double mass_of_it = 2.0, omega = 20.0,
+                 fast = 400.0;  // 1/s; the critical step is 2 / fast = 0.005 s
 
-/// One point with a slow spring along x and a fast one along y, which stiffens with the square of x if it is coupled:
-///   U = k/2 x^2 + K/2 y^2 (1 + 3 (x / reach)^2).    It says that it does, coupled or not. reach = 0: it says nothing.
+/// One point with a slow spring along x and a fast one along y, which stiffens with the square of x if it is
+/// coupled:
+///   U = k/2 x^2 + K/2 y^2 (1 + 3 (x / reach)^2).    It says that it does, coupled or not. reach = 0: it says
+///   nothing.
 class Springs : public test::FakeBody {
  public:
-  Springs(double reach, bool coupled, double viscosity = 0) : mass_(1, mass_of_it), reach_(reach), viscosity_(viscosity), coupled_(coupled) {
+  Springs(double reach, bool coupled, double viscosity = 0)
+      : mass_(1, mass_of_it), reach_(reach), viscosity_(viscosity), coupled_(coupled) {
     layout_ = {1, 2, 2, 1, 0, 2};
     points_ = {{0.5, 0.25, 0}};
   }
   std::span<const double> mass() const override { return mass_; }
   void stiffness(const double* x, double* y) const override { y[0] = k * x[0], y[1] = K * x[1]; }
   bool has_viscosity() const override { return viscosity_ > 0; }
-  void damping_matrix(const double* x, double* y) const override { y[0] = viscosity_ * x[0], y[1] = viscosity_ * x[1]; }
+  void damping_matrix(const double* x, double* y) const override {
+    y[0] = viscosity_ * x[0], y[1] = viscosity_ * x[1];
+  }
   void internal_force(const double* u, const double* v, double dt, double* f, double* viscous) override {
     passed += dt;
     f[0] = -k * u[0] - (coupled_ ? 3 * K * u[1] * u[1] * u[0] / (reach_ * reach_) : 0.0);
     f[1] = -K * u[1] * ratio(u);
     if (viscous) viscous[0] = -viscosity_ * v[0], viscous[1] = -viscosity_ * v[1];
   }
-  Energies energies(const double* u) const override { return {0.5 * (k * u[0] * u[0] + K * u[1] * u[1] * ratio(u))}; }
+  Energies energies(const double* u) const override {
+    return {0.5 * (k * u[0] * u[0] + K * u[1] * u[1] * ratio(u))};
+  }
   std::vector<Weight> points_of(const Place&) const override { return {{0, 1.0}}; }
   std::vector<Weight> interpolation(const Point&) const override { return {{0, 1.0}}; }
   void state(Archive& archive) override { archive("passed", passed); }
@@ -69,7 +77,8 @@ Scene moving(double duration) {
 }
 
 struct Marching {
-  Marching(Scene s, std::unique_ptr<Springs> body, MarchOptions options = {}) : scene(std::move(s)), spring(body.get()), march(scene, one(std::move(body)), options) {}
+  Marching(Scene s, std::unique_ptr<Springs> body, MarchOptions options = {})
+      : scene(std::move(s)), spring(body.get()), march(scene, one(std::move(body)), options) {}
   static std::vector<std::unique_ptr<Discretization>> one(std::unique_ptr<Discretization> body) {
     std::vector<std::unique_ptr<Discretization>> v;
     v.push_back(std::move(body));
@@ -101,7 +110,8 @@ struct Marching {
 
 constexpr double amplitude = 1 / omega;
 
-// The leap-frog's ledger of linear springs closes to round-off whatever the step; so it must when the step changes on the way, damped or not.
+// The leap-frog's ledger of linear springs closes to round-off whatever the step; so it must when the step
+// changes on the way, damped or not.
 TEST(Step, LedgerClosesToRoundOffThroughEveryChange) {
   for (const double rate : {0.0, 0.3})
     for (const double viscosity : {0.0, 0.8}) {
@@ -117,13 +127,15 @@ TEST(Step, LedgerClosesToRoundOffThroughEveryChange) {
       r.run();
       EXPECT_FALSE(r.watch) << r.message;
       EXPECT_GT(r.march.step_changes(), 10) << rate << " " << viscosity;
-      EXPECT_LT(r.imbalance, 1e-11) << rate << " " << viscosity;  // J, of more than 1 J that come and go a hundred times
+      EXPECT_LT(r.imbalance, 1e-11) << rate << " "
+                                    << viscosity;  // J, of more than 1 J that come and go a hundred times
       EXPECT_NEAR(r.march.time(), 10, r.march.dt());
       EXPECT_NEAR(r.spring->passed, r.march.time(), 1e-9);  // laws have been told every step's length
     }
 }
 
-// x = sin(omega t) / omega. Steps that fall to half keep the order of the leap-frog: a tenth of the step, a hundredth of the error.
+// x = sin(omega t) / omega. Steps that fall to half keep the order of the leap-frog: a tenth of the step, a
+// hundredth of the error.
 TEST(Step, MotionIsOfSecondOrder) {
   double error[2];
   for (int k = 0; k < 2; ++k) {
@@ -135,13 +147,15 @@ TEST(Step, MotionIsOfSecondOrder) {
     r.run();
     EXPECT_GT(r.march.step_changes(), 10);
     error[k] = 0;
-    for (std::size_t i = 0; i < r.u.size(); ++i) error[k] = std::max(error[k], omega * std::abs(r.u[i] - amplitude * std::sin(omega * r.time[i])));
+    for (std::size_t i = 0; i < r.u.size(); ++i)
+      error[k] = std::max(error[k], omega * std::abs(r.u[i] - amplitude * std::sin(omega * r.time[i])));
   }
   EXPECT_LT(error[0], 0.03);
   EXPECT_GT(error[0] / error[1], 70);
 }
 
-// At x = amplitude the fast spring is 4 times as stiff: no step above 0.0025 s there. The march follows; a fixed one is stopped on the way there.
+// At x = amplitude the fast spring is 4 times as stiff: no step above 0.0025 s there. The march follows; a
+// fixed one is stopped on the way there.
 TEST(Step, HoldsTheLimitWhereAFixedStepIsStopped) {
   Marching follows(moving(20), std::make_unique<Springs>(amplitude, true));
   follows.run();
@@ -155,7 +169,9 @@ TEST(Step, HoldsTheLimitWhereAFixedStepIsStopped) {
   Marching stopped(moving(20), std::make_unique<Springs>(amplitude, true), fixed);
   stopped.run();
   ASSERT_EQ(stopped.watch, Stopped::Watch::step) << stopped.message;
-  EXPECT_THAT(stopped.message, AllOf(HasSubstr("body \"body\", spring 3 at (0.5"), HasSubstr("the step of 0.0045 s is over the limit"), HasSubstr("march without --step")));
+  EXPECT_THAT(stopped.message,
+              AllOf(HasSubstr("body \"body\", spring 3 at (0.5"),
+                    HasSubstr("the step of 0.0045 s is over the limit"), HasSubstr("march without --step")));
   EXPECT_LT(stopped.march.time(), 0.25 * 2 * 3.1416 / omega);  // before x is largest for the first time
   fixed.step = 0.0022;
   Marching small(moving(20), std::make_unique<Springs>(amplitude, true), fixed);
@@ -168,7 +184,8 @@ TEST(Step, ThatFallsToNothingIsStopped) {
   Marching r(moving(10), std::make_unique<Springs>(amplitude / 200, false));
   r.run();
   ASSERT_EQ(r.watch, Stopped::Watch::step) << r.message;
-  EXPECT_THAT(r.message, AllOf(HasSubstr("crushed so far that the largest stable step has fallen to"), HasSubstr("gentler load")));
+  EXPECT_THAT(r.message, AllOf(HasSubstr("crushed so far that the largest stable step has fallen to"),
+                               HasSubstr("gentler load")));
 }
 
 TEST(Step, IsNotAskedForWhereNothingStiffens) {
@@ -198,11 +215,16 @@ TEST(Step, SamplesKeepTheirPace) {
 
 // Taken up in the middle of it all, the march goes on to the same bits.
 TEST(Step, IsPartOfTheState) {
-  const auto scene = [] { Scene s = moving(3); s.samples = 100; return s; };
+  const auto scene = [] {
+    Scene s = moving(3);
+    s.samples = 100;
+    return s;
+  };
   Marching whole(scene(), std::make_unique<Springs>(amplitude, true));
   whole.run();
   ASSERT_GT(whole.march.step_changes(), 10);
-  Marching first(scene(), std::make_unique<Springs>(amplitude, true)), second(scene(), std::make_unique<Springs>(amplitude, true));
+  Marching first(scene(), std::make_unique<Springs>(amplitude, true)),
+      second(scene(), std::make_unique<Springs>(amplitude, true));
   MemoryArchive archive;
   struct Enough {};
   MarchEvents events;

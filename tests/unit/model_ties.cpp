@@ -1,4 +1,5 @@
-// Tied bodies on grids that know nothing but their points: the forces hold G a = 0, and have neither resultant nor moment.
+// Tied bodies on grids that know nothing but their points: the forces hold G a = 0, and have neither
+// resultant nor moment.
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -33,7 +34,9 @@ struct Tower {
     for (std::size_t i = 0; i < n; ++i) body.inverse_mass.push_back(1 / body.discretization->mass()[i / 2]);
     bodies.push_back(std::move(body));
   }
-  Point place(const MovingBody& body, std::size_t i) const { return body.discretization->position(i) + Point{body.u[2 * i], body.u[2 * i + 1], 0}; }
+  Point place(const MovingBody& body, std::size_t i) const {
+    return body.discretization->position(i) + Point{body.u[2 * i], body.u[2 * i + 1], 0};
+  }
   void turn(double angle) {
     for (MovingBody& body : bodies)
       for (std::size_t i = 0; i < body.discretization->layout().points; ++i) {
@@ -50,7 +53,7 @@ TEST(Ties, TakeTheFinerBodysPointsOnTheInterface) {
   Tower tower;
   const Ties ties(tower.scene, tower.bodies);
   ASSERT_EQ(ties.bonds().size(), 1u);
-  EXPECT_EQ(ties.bonds()[0].from, 1u);                           // 6 cells against 4
+  EXPECT_EQ(ties.bonds()[0].from, 1u);                         // 6 cells against 4
   EXPECT_EQ(ties.bonds()[0].end - ties.bonds()[0].begin, 7u);  // and none of the sides'
 }
 
@@ -61,12 +64,14 @@ TEST(Ties, SolidMotionNeedsNoForce) {
     tower.turn(1.1);
     ties.add_forces(tower.bodies, 1, 1e-3, 1e-3, 1e-3, true);
     for (const MovingBody& body : tower.bodies)
-      for (const double f : body.f) EXPECT_NEAR(f, 0, 1e-9);  // round-off of g, 1e-16 m, times m / dt^2 of 0.01 / 1e-6
+      for (const double f : body.f)
+        EXPECT_NEAR(f, 0, 1e-9);  // round-off of g, 1e-16 m, times m / dt^2 of 0.01 / 1e-6
   }
 }
 
-// After a step with any forces and velocities, the tied points lie where their facets carry them: exactly without a gap; with one up to
-// second order in what the step turns. Sums of forces and of their moments vanish in both.
+// After a step with any forces and velocities, the tied points lie where their facets carry them: exactly
+// without a gap; with one up to second order in what the step turns. Sums of forces and of their moments
+// vanish in both.
 TEST(Ties, HoldAtTheEndOfTheStepAndKeepMomentum) {
   for (const double gap : {0.0, 0.1}) {
     Tower tower(gap);
@@ -75,7 +80,8 @@ TEST(Ties, HoldAtTheEndOfTheStepAndKeepMomentum) {
     std::mt19937 random(3);
     std::uniform_real_distribution<double> jitter(-1, 1);
     for (MovingBody& body : tower.bodies)
-      for (std::size_t i = 0; i < body.f.size(); ++i) body.f[i] = jitter(random), body.v[i] = 1e-3 * jitter(random);
+      for (std::size_t i = 0; i < body.f.size(); ++i)
+        body.f[i] = jitter(random), body.v[i] = 1e-3 * jitter(random);
     std::vector<AlignedVector<double>> before{tower.bodies[0].f, tower.bodies[1].f};
     const double dt = 1e-3;
     ties.add_forces(tower.bodies, 1, dt, dt, dt, false);
@@ -83,7 +89,8 @@ TEST(Ties, HoldAtTheEndOfTheStepAndKeepMomentum) {
     double size = 0;
     for (std::size_t b = 0; b < 2; ++b)
       for (std::size_t i = 0; i < before[b].size() / 2; ++i) {
-        const Point f{tower.bodies[b].f[2 * i] - before[b][2 * i], tower.bodies[b].f[2 * i + 1] - before[b][2 * i + 1], 0};
+        const Point f{tower.bodies[b].f[2 * i] - before[b][2 * i],
+                      tower.bodies[b].f[2 * i + 1] - before[b][2 * i + 1], 0};
         sum = sum + f;
         moment = moment + cross(tower.place(tower.bodies[b], i), f);
         size += norm(f);
@@ -92,9 +99,12 @@ TEST(Ties, HoldAtTheEndOfTheStepAndKeepMomentum) {
     EXPECT_LT(norm(sum), 1e-14 * size);
     EXPECT_LT(norm(moment), 1e-13 * size);
     for (MovingBody& body : tower.bodies)
-      for (std::size_t i = 0; i < body.u.size(); ++i) body.u[i] += dt * (body.v[i] + dt * body.inverse_mass[i] * body.f[i]);
-    // The upper grid's bottom point 1 stands over the lower grid's top segment from point 20 to 21 (x = 0 to 1/4), at 2/3.
-    const Point a = tower.place(tower.bodies[0], 20), b = tower.place(tower.bodies[0], 21), p = tower.place(tower.bodies[1], 1);
+      for (std::size_t i = 0; i < body.u.size(); ++i)
+        body.u[i] += dt * (body.v[i] + dt * body.inverse_mass[i] * body.f[i]);
+    // The upper grid's bottom point 1 stands over the lower grid's top segment from point 20 to 21 (x = 0 to
+    // 1/4), at 2/3.
+    const Point a = tower.place(tower.bodies[0], 20), b = tower.place(tower.bodies[0], 21),
+                p = tower.place(tower.bodies[1], 1);
     const Point along = b - a, up{-along[1] / norm(along), along[0] / norm(along), 0};
     EXPECT_LT(norm(p - (a + (2.0 / 3) * along + gap * up)), gap == 0 ? 1e-15 : 1e-9);
   }

@@ -32,7 +32,9 @@ class Mass : public test::FakeBody {
     f[0] = -spring * u[0] + added(u[0], v[0]);
     f[1] = 0;
   }
-  Energies energies(const double* u) const override { return {0.5 * spring * u[0] * u[0] + added_energy(u[0])}; }
+  Energies energies(const double* u) const override {
+    return {0.5 * spring * u[0] * u[0] + added_energy(u[0])};
+  }
   std::vector<Weight> points_of(const Place&) const override { return {{0, 1.0}}; }
   std::vector<Weight> interpolation(const Point&) const override { return {{0, 1.0}}; }
   void state(Archive& archive) override { archive("remembered", remembered); }
@@ -78,7 +80,8 @@ Scene moving(double duration) {
 }
 
 struct Marching {
-  Marching(Scene s, std::unique_ptr<Discretization> body, MarchOptions options = {}) : scene(std::move(s)), march(scene, one(std::move(body)), options) {
+  Marching(Scene s, std::unique_ptr<Discretization> body, MarchOptions options = {})
+      : scene(std::move(s)), march(scene, one(std::move(body)), options) {
     march.keep_good_states();
     MarchEvents events;
     events.between = [&](March& m) { u.push_back(m.bodies()[0].u[0]); };
@@ -112,7 +115,8 @@ TEST(Watch, StepAboveTheCriticalOneIsToldByTheFrequencyOfWhatGrows) {
   ASSERT_EQ(r.watch, Stopped::Watch::step) << r.message;
   EXPECT_LE(r.march.step(), 50);
   // omega = sqrt(1.5 k / m) = 24.5 / s; --safety 0.8 x 0.0816 / 0.1 = 0.65
-  EXPECT_THAT(r.message, AllOf(HasSubstr("stopped at step"), HasSubstr("24.49 rad/s"), HasSubstr("point 0 at (0.5, 0.25, 0) m"), HasSubstr("try --safety 0.65")));
+  EXPECT_THAT(r.message, AllOf(HasSubstr("stopped at step"), HasSubstr("24.49 rad/s"),
+                               HasSubstr("point 0 at (0.5, 0.25, 0) m"), HasSubstr("try --safety 0.65")));
   MarchOptions smaller;
   smaller.safety = 0.2;
   EXPECT_FALSE(Marching(moving(100), std::make_unique<Stiffens>(), smaller).watch);
@@ -140,14 +144,16 @@ TEST(Watch, NotANumber) {
 TEST(Watch, UnitsAreAskedInLargeMotionAndTheLastGoodStateComesBack) {
   Marching r(moving(6000), std::make_unique<TurnsInsideOut>());
   ASSERT_EQ(r.watch, Stopped::Watch::unit) << r.message;
-  EXPECT_THAT(r.message, AllOf(HasSubstr("cell 7 has turned inside out"), HasSubstr("try a finer mesh"), HasSubstr("body \"body\", at (0.")));
+  EXPECT_THAT(r.message, AllOf(HasSubstr("cell 7 has turned inside out"), HasSubstr("try a finer mesh"),
+                               HasSubstr("body \"body\", at (0.")));
   const long failed = r.march.step();
   ASSERT_TRUE(r.march.return_to_good_state());
   const long good = r.march.step();
   EXPECT_LT(good, failed);
   EXPECT_GT(good, 0);
   EXPECT_EQ(r.march.bodies()[0].u[0], r.u[std::size_t(good - 1)]);
-  EXPECT_NEAR(dynamic_cast<const Mass&>(*r.march.bodies()[0].discretization).remembered, r.march.time(), 1e-6);
+  EXPECT_NEAR(
+      dynamic_cast<const Mass&>(*r.march.bodies()[0].discretization).remembered, r.march.time(), 1e-6);
   Scene small = moving(6000);
   small.large_motion = false;
   const Marching unasked(small, std::make_unique<TurnsInsideOut>());
@@ -155,7 +161,8 @@ TEST(Watch, UnitsAreAskedInLargeMotionAndTheLastGoodStateComesBack) {
 }
 
 TEST(Watch, MoreStepsThanAnyMachineMarchesAreRefused) {
-  EXPECT_THAT([] { Marching r(moving(1e12), std::make_unique<Mass>()); }, testing::ThrowsMessage<MotionError>(HasSubstr("which no machine marches")));
+  EXPECT_THAT([] { Marching r(moving(1e12), std::make_unique<Mass>()); },
+              testing::ThrowsMessage<MotionError>(HasSubstr("which no machine marches")));
 }
 
 struct Everything {
@@ -181,7 +188,16 @@ struct Everything {
 };
 
 TEST(Archive, PutsBackEveryKindOfValueAndVectorsWithTheirLengths) {
-  Everything before{-0.0, -7, true, {1, 2, 3}, {4, std::nan(""), 5}, {6}, {{7, 8, 9}, {10, 11, 12}}, {13, std::size_t(1) << 40}, {{1, true, {1, 2, 3}}, {-2, false, {4, 5, 6}}}};
+  Everything before{
+      -0.0,
+      -7,
+      true,
+      {1, 2, 3},
+      {4, std::nan(""), 5},
+      {6},
+      {{7, 8, 9}, {10, 11, 12}},
+      {13, std::size_t(1) << 40},
+      {{1, true, {1, 2, 3}}, {-2, false, {4, 5, 6}}}};
   MemoryArchive archive;
   EXPECT_TRUE(archive.empty());
   archive.save(before);

@@ -1,5 +1,6 @@
-// The mean dilatation of corrected SPH: the force is the derivative of the energy in small and large motion, momenta are kept, uniform states are left
-// as they are, and the pressure of a nearly incompressible ring no longer alternates from layer to layer (Lame's solution).
+// The mean dilatation of corrected SPH: the force is the derivative of the energy in small and large motion,
+// momenta are kept, uniform states are left as they are, and the pressure of a nearly incompressible ring no
+// longer alternates from layer to layer (Lame's solution).
 
 #include <gtest/gtest.h>
 
@@ -22,15 +23,21 @@ struct Case {
 };
 
 const std::vector<Case>& cases() {
-  static const std::vector<Case> all = {{"plane strain", Plane::strain, false, false}, {"plane strain, lists", Plane::strain, false, true},
-                                        {"jittered", Plane::strain, false, true, 0.2}, {"plane strain, large", Plane::strain, true, false},
-                                        {"space", Plane::none, false, false},          {"space, large, jittered", Plane::none, true, true, 0.2},
-                                        {"symmetry", Plane::strain, false, false, 0, true}, {"symmetry, large, lists", Plane::strain, true, true, 0, true}};
+  static const std::vector<Case> all = {
+      {"plane strain", Plane::strain, false, false},
+      {"plane strain, lists", Plane::strain, false, true},
+      {"jittered", Plane::strain, false, true, 0.2},
+      {"plane strain, large", Plane::strain, true, false},
+      {"space", Plane::none, false, false},
+      {"space, large, jittered", Plane::none, true, true, 0.2},
+      {"symmetry", Plane::strain, false, false, 0, true},
+      {"symmetry, large, lists", Plane::strain, true, true, 0, true}};
   return all;
 }
 
 Scene scene_of(const Case& c, double poisson = 0.49) {
-  Scene s = box_scene(c.plane, c.plane == Plane::none ? Point{0.06, 0.05, 0.04} : Point{0.11, 0.08, 0}, c.large);
+  Scene s = box_scene(
+      c.plane, c.plane == Plane::none ? Point{0.06, 0.05, 0.04} : Point{0.11, 0.08, 0}, c.large);
   s.materials["steel"].poisson = poisson;
   if (c.mirrored) s.symmetries.push_back({Place{0, {"x-"}, {}, {}, {}}});
   return s;
@@ -78,14 +85,16 @@ TEST(MeanDilatation, KeepsMomenta) {
         g[k] = f[d->layout().at(i, k)], sum[k] += g[k], size += std::abs(g[k]);
         if (c.large) x[k] += u[d->layout().at(i, k)];
       }
-      for (int k = 0; k < 3; ++k) moment[k] += x[(k + 1) % 3] * g[(k + 2) % 3] - x[(k + 2) % 3] * g[(k + 1) % 3];
+      for (int k = 0; k < 3; ++k)
+        moment[k] += x[(k + 1) % 3] * g[(k + 2) % 3] - x[(k + 2) % 3] * g[(k + 1) % 3];
     }
     for (int k = 0; k < 3; ++k) EXPECT_LT(std::abs(sum[k]), 1e-12 * size) << c.name;
     for (int k = 0; k < 3; ++k) EXPECT_LT(std::abs(moment[k]), 1e-12 * size) << c.name;
   }
 }
 
-// Linear displacements: the mean is the value itself, so that force and stress are those of the particles' own volumes.
+// Linear displacements: the mean is the value itself, so that force and stress are those of the particles'
+// own volumes.
 TEST(MeanDilatation, LeavesUniformStatesAlone) {
   for (const Case& c : cases()) {
     if (c.mirrored) continue;
@@ -101,7 +110,8 @@ TEST(MeanDilatation, LeavesUniformStatesAlone) {
     MaterialState p, q;
     a->material_state(u.data(), all, p), b->material_state(u.data(), all, q);
     for (std::size_t i = 0; i < all.size(); ++i)
-      for (std::size_t k = 0; k < 6; ++k) ASSERT_NEAR(p.stress[i][k], q.stress[i][k], 1e-11 * von_mises(q.stress[i])) << c.name;
+      for (std::size_t k = 0; k < 6; ++k)
+        ASSERT_NEAR(p.stress[i][k], q.stress[i][k], 1e-11 * von_mises(q.stress[i])) << c.name;
   }
 }
 
@@ -131,14 +141,16 @@ TEST(MeanDilatation, IsTakenWhereTheVolumeIsKept) {
   };
   using enum sph::Dilatation;
   EXPECT_EQ(memory(strain, 0.3, false, automatic), memory(strain, 0.3, false, local));
-  EXPECT_LT(memory(strain, 0.3, false, local), memory(strain, 0.3, false, mean));  // what is not asked for holds nothing
+  EXPECT_LT(memory(strain, 0.3, false, local),
+            memory(strain, 0.3, false, mean));  // what is not asked for holds nothing
   EXPECT_EQ(memory(strain, 0.45, false, automatic), memory(strain, 0.45, false, mean));
   EXPECT_EQ(memory(strain, 0.3, true, automatic), memory(strain, 0.3, true, mean));
   EXPECT_EQ(memory(stress, 0.49, true, automatic), memory(stress, 0.49, true, local));
   EXPECT_THROW(memory(stress, 0.49, false, mean), Refusal);
 }
 
-/// Largest error of the pressure in a quarter ring under inner pressure, over that pressure; plane strain, nu = 0.4999.
+/// Largest error of the pressure in a quarter ring under inner pressure, over that pressure; plane strain, nu
+/// = 0.4999.
 double pressure_error(sph::Dilatation kind, int across) {
   const double a = 0.1, b = 0.2, poisson = 0.4999, load = 1e6;
   Scene s = box_scene(Plane::strain, {1, 1, 0});
@@ -180,15 +192,18 @@ double pressure_error(sph::Dilatation kind, int across) {
   d->material_state(x.data(), all, state);
   const double exact = -2 * (1 + poisson) / 3 * load * a * a / (b * b - a * a);
   double worst = 0;
-  for (const auto& t : state.stress) worst = std::max(worst, std::abs(-(t[0] + t[1] + t[2]) / 3 - exact) / load);
+  for (const auto& t : state.stress)
+    worst = std::max(worst, std::abs(-(t[0] + t[1] + t[2]) / 3 - exact) / load);
   return worst;
 }
 
 TEST(MeanDilatation, PressureOfANearlyIncompressibleRing) {
-  const double coarse = pressure_error(sph::Dilatation::mean, 8), fine = pressure_error(sph::Dilatation::mean, 16);
+  const double coarse = pressure_error(sph::Dilatation::mean, 8),
+               fine = pressure_error(sph::Dilatation::mean, 16);
   EXPECT_LT(coarse, 0.05);
   EXPECT_LT(fine, 0.5 * coarse);
-  EXPECT_GT(pressure_error(sph::Dilatation::local, 8), 1.0);  // what it cures: several times the load, alternating
+  EXPECT_GT(pressure_error(sph::Dilatation::local, 8),
+            1.0);  // what it cures: several times the load, alternating
 }
 
 }  // namespace

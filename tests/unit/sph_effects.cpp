@@ -10,7 +10,8 @@
 namespace femsph::test {
 namespace {
 
-// The integral of W over its support is 1, and steepness is -W'/r: midpoint rule with 20000 shells, error O(shell^2) ~ 1e-8.
+// The integral of W over its support is 1, and steepness is -W'/r: midpoint rule with 20000 shells, error
+// O(shell^2) ~ 1e-8.
 TEST(Kernel, IntegratesToOneAndHasItsOwnSlope) {
   for (auto kind : {sph::KernelKind::cubic_spline, sph::KernelKind::wendland_c2})
     for (int dim : {2, 3}) {
@@ -61,7 +62,8 @@ TEST(Particles, PlacesAndProbesFindThem) {
   const auto u = linear_vector(*d, A);
   for (const Point p : {Point{0.013, -0.0171, 0}, Point{0.22, 0.045, 0}, Point{0.12, 0.05, 0}}) {
     double x = 0, y = 0;
-    for (const Weight& w : d->interpolation(p)) x += w.weight * u[d->layout().at(w.point, 0)], y += w.weight * u[d->layout().at(w.point, 1)];
+    for (const Weight& w : d->interpolation(p))
+      x += w.weight * u[d->layout().at(w.point, 0)], y += w.weight * u[d->layout().at(w.point, 1)];
     EXPECT_NEAR(x, p[0] + 2 * p[1], 1e-13);
     EXPECT_NEAR(y, 3 * p[0] - p[1], 1e-13);
   }
@@ -94,8 +96,9 @@ TEST(Viscosity, TakesEnergyAndKeepsBothMomenta) {
   }
 }
 
-// Twenty small steps of one uniform stretching, then of a quarter turn: the updated neighbours must see the same stress as the initial
-// ones while motion is small (to the size of the strain, 1e-4), and nothing new through the turn inside the body.
+// Twenty small steps of one uniform stretching, then of a quarter turn: the updated neighbours must see the
+// same stress as the initial ones while motion is small (to the size of the strain, 1e-4), and nothing new
+// through the turn inside the body.
 TEST(UpdatedLagrangian, AgreesWithInitialNeighboursWhileMotionIsSmall) {
   Scene scene = box_scene(Plane::stress, {0.21, 0.13, 0});
   const sph::Options options = classic(0.01, sph::MassRule::full);
@@ -114,16 +117,18 @@ TEST(UpdatedLagrangian, AgreesWithInitialNeighboursWhileMotionIsSmall) {
   const double dt = 1e-6;
   for (double& x : v) x /= steps * dt;
   moving->internal_force(at(0).data(), v.data(), 0, f.data(), nullptr);
-  for (int k = 1; k <= steps; ++k) moving->internal_force(at(double(k) / steps).data(), v.data(), dt, f.data(), nullptr);
+  for (int k = 1; k <= steps; ++k)
+    moving->internal_force(at(double(k) / steps).data(), v.data(), dt, f.data(), nullptr);
   const auto g = force(*fixed, whole);
   for (std::size_t i = 0; i < f.size(); ++i) ASSERT_NEAR(f[i], g[i], 1e-3 * largest(g));
-  EXPECT_NEAR(moving->energies(nullptr).strain, fixed->energies(whole.data()).strain, 1e-3 * fixed->energies(whole.data()).strain);
+  EXPECT_NEAR(moving->energies(nullptr).strain, fixed->energies(whole.data()).strain,
+              1e-3 * fixed->energies(whole.data()).strain);
 }
 
-// Inside, the classic sums over a lattice see a velocity gradient m L with m = sum_j V_j steepness x_ij^2 = 1.013 at h = d, and a stretched
-// lattice is no longer isotropic in that sum: the spin is right to about 1 %. So after a quarter turn the principal axes of the stress
-// have turned by pi/2 within 1.5 %, while Hughes and Winget's turn keeps its invariants (first-order updates of 400 steps would add
-// (pi/2)^2/400 = 0.6 %).
+// Inside, the classic sums over a lattice see a velocity gradient m L with m = sum_j V_j steepness x_ij^2
+// = 1.013 at h = d, and a stretched lattice is no longer isotropic in that sum: the spin is right to about 1
+// %. So after a quarter turn the principal axes of the stress have turned by pi/2 within 1.5 %, while Hughes
+// and Winget's turn keeps its invariants (first-order updates of 400 steps would add (pi/2)^2/400 = 0.6 %).
 TEST(UpdatedLagrangian, TurnsTheStressWithTheBody) {
   Scene scene = box_scene(Plane::stress, {0.2, 0.2, 0}, true);
   const auto d = sph::discretize(scene, 0, classic(0.01, sph::MassRule::full));
@@ -169,13 +174,16 @@ TEST(Refusals, SayWhatIsWrong) {
     }
     return "accepted";
   };
-  EXPECT_NE(message(corrected(1.0)).find("does not fit a body 210 mm long along x"), std::string::npos) << message(corrected(1.0));
+  EXPECT_NE(message(corrected(1.0)).find("does not fit a body 210 mm long along x"), std::string::npos)
+      << message(corrected(1.0));
   EXPECT_NE(message(corrected(1e-6)).find("take a coarser one"), std::string::npos);
   EXPECT_NE(message(corrected(0.01, 9)).find("between 0.6 and 4"), std::string::npos);
   sph::Options mixed = corrected(0.01);
   mixed.boundary = sph::Boundary::weight;
   EXPECT_NE(message(mixed).find("belong to the classic formulation"), std::string::npos);
-  EXPECT_NE(message(classic(0.01, sph::MassRule::share, sph::Boundary::virtual_particles), true).find("large motion"), std::string::npos);
+  EXPECT_NE(message(classic(0.01, sph::MassRule::share, sph::Boundary::virtual_particles), true)
+                .find("large motion"),
+            std::string::npos);
 }
 
 }  // namespace

@@ -1,5 +1,6 @@
-// What a filling must keep of a body, whatever its shape and the spacing: its volume and its first moment (sums of V and V x over the particles); the
-// area and the turn of its sides (sums of area vectors and of their moments); and a support on a curved side must hold the layer that the side cuts.
+// What a filling must keep of a body, whatever its shape and the spacing: its volume and its first moment
+// (sums of V and V x over the particles); the area and the turn of its sides (sums of area vectors and of
+// their moments); and a support on a curved side must hold the layer that the side cuts.
 
 #include <gtest/gtest.h>
 
@@ -18,7 +19,8 @@ namespace {
 
 using sph::MassRule;
 
-/// A strip 2 x 1 of n x m cells, turned by `angle`, drawn in at x = 2 by `taper`; its ends and its lower side are named.
+/// A strip 2 x 1 of n x m cells, turned by `angle`, drawn in at x = 2 by `taper`; its ends and its lower side
+/// are named.
 std::shared_ptr<MeshShape> strip(int n, int m, double angle, double taper = 0) {
   CellMesh mesh;
   mesh.groups = {"left", "right", "bottom", "top"};
@@ -30,9 +32,14 @@ std::shared_ptr<MeshShape> strip(int n, int m, double angle, double taper = 0) {
     }
   const auto at = [&](int i, int j) { return i + (n + 1) * j; };
   for (int j = 0; j < m; ++j)
-    for (int i = 0; i < n; ++i) mesh.cells.push_back({at(i, j), at(i + 1, j), at(i, j + 1), at(i + 1, j + 1)});
-  for (int j = 0; j < m; ++j) mesh.facets.push_back({{at(0, j), at(0, j + 1)}, 0}), mesh.facets.push_back({{at(n, j), at(n, j + 1)}, 1});
-  for (int i = 0; i < n; ++i) mesh.facets.push_back({{at(i, 0), at(i + 1, 0)}, 2}), mesh.facets.push_back({{at(i, m), at(i + 1, m)}, 3});
+    for (int i = 0; i < n; ++i)
+      mesh.cells.push_back({at(i, j), at(i + 1, j), at(i, j + 1), at(i + 1, j + 1)});
+  for (int j = 0; j < m; ++j)
+    mesh.facets.push_back({{at(0, j), at(0, j + 1)}, 0}),
+        mesh.facets.push_back({{at(n, j), at(n, j + 1)}, 1});
+  for (int i = 0; i < n; ++i)
+    mesh.facets.push_back({{at(i, 0), at(i + 1, 0)}, 2}),
+        mesh.facets.push_back({{at(i, m), at(i + 1, m)}, 3});
   return std::make_shared<MeshShape>(mesh, "strip");
 }
 
@@ -57,7 +64,8 @@ std::vector<Case> plane_cases() {
           {"disc", std::make_shared<Ball>(2, Point{1, 2, 0}, 1.0)},
           {"ring", std::make_shared<Round>(2, Round::Size{{}, 0.5, 1, 0, 2, Part::whole})},
           {"half ring", std::make_shared<Round>(2, Round::Size{{}, 0.5, 1, 0, 2, Part::half})},
-          {"quadrilateral", std::make_shared<Quadrilateral>(std::array<Point, 4>{Point{0, 0, 0}, {2, 0.3, 0}, {1.7, 1.3, 0}, {-0.2, 1, 0}})},
+          {"quadrilateral", std::make_shared<Quadrilateral>(std::array<Point, 4>{
+                                Point{0, 0, 0}, {2, 0.3, 0}, {1.7, 1.3, 0}, {-0.2, 1, 0}})},
           {"mesh", strip(8, 4, 0)},
           {"turned mesh", strip(7, 5, std::numbers::pi / 6)},
           {"tapered mesh", strip(16, 8, 0, 0.9)},
@@ -83,7 +91,8 @@ void expect_weight(const Case& c, double spacing, bool fitted) {
     const MassError error = mass_error(scene, 0, *d);
     EXPECT_NEAR(error.mass, 0, 1e-10) << c.name << ", spacing " << spacing << (fitted ? "" : ", lattice");
     EXPECT_NEAR(error.centre, 0, 1e-10) << c.name << ", spacing " << spacing << (fitted ? "" : ", lattice");
-    for (const double mass : d->mass()) ASSERT_GT(mass, 0) << c.name << ", spacing " << spacing << (fitted ? "" : ", lattice");
+    for (const double mass : d->mass())
+      ASSERT_GT(mass, 0) << c.name << ", spacing " << spacing << (fitted ? "" : ", lattice");
   }
 }
 
@@ -99,15 +108,19 @@ TEST(Filling, ParticlesWeighWhatTheBodyWeighsAndBalanceWhereItDoes) {
 // The share rule has the body's mass by definition; counting whole cells (the paper's) has not, and says so.
 TEST(Filling, WholeCellsSayHowFarOffTheyAre) {
   const Scene scene = scene_of(std::make_shared<Box>(2, Point{}, Point{2, 1, 0}));
-  const auto share = sph::discretize(scene, 0, classic(0.1, MassRule::share)), full = sph::discretize(scene, 0, classic(0.1, MassRule::full));
+  const auto share = sph::discretize(scene, 0, classic(0.1, MassRule::share)),
+             full = sph::discretize(scene, 0, classic(0.1, MassRule::full));
   EXPECT_EQ(mass_warning(scene, 0, *share), "");
   // 21 x 11 particles for 20 x 10 cells: 15.5 % more of 7850 x 0.1 x 2 kg.
-  EXPECT_EQ(mass_warning(scene, 0, *full), "body \"block\": its particles weigh 1813.35 kg, centre (1000, 500) mm, the body 1570 kg, centre (1000, 500) mm: "
-                                           "the mass is +15.50 % off, the centre of gravity 0.00 % of the body's diagonal");
+  EXPECT_EQ(mass_warning(scene, 0, *full),
+            "body \"block\": its particles weigh 1813.35 kg, centre (1000, 500) mm, the body 1570 kg, centre "
+            "(1000, 500) mm: "
+            "the mass is +15.50 % off, the centre of gravity 0.00 % of the body's diagonal");
 }
 
-// The integrals of the hat functions of a lattice of spacing 1 over the triangle x + y < 4. In a cell that the side halves they are, over x + y < 1,
-// of (1-x)(1-y), x(1-y), (1-x)y and xy: 5/24, 1/8, 1/8 and 1/24. So a place on the side has 1/4 + 2/8, one just outside 1/24, one just inside 3/4 + 5/24.
+// The integrals of the hat functions of a lattice of spacing 1 over the triangle x + y < 4. In a cell that
+// the side halves they are, over x + y < 1, of (1-x)(1-y), x(1-y), (1-x)y and xy: 5/24, 1/8, 1/8 and 1/24. So
+// a place on the side has 1/4 + 2/8, one just outside 1/24, one just inside 3/4 + 5/24.
 TEST(Filling, PartialVolumesAreIntegralsOfHatFunctions) {
   const Quadrilateral triangle(std::array<Point, 4>{Point{0, 0, 0}, {4, 0, 0}, {2, 2, 0}, {0, 4, 0}});
   sph::Options o;
@@ -131,25 +144,29 @@ TEST(Filling, ABoxIsFilledToTheLastBit) {
     const sph::Particles p = sph::fill(Box(dim, {0.1, -0.3, 0.7}, {0.7, 0.3, 0.4}), corrected(0.1));
     for (std::size_t i = 0; i < p.size(); ++i) {
       double share = 1;
-      for (int a = 0; a < dim; ++a) share *= p.lattice.place[i][std::size_t(a)] % (p.lattice.count[std::size_t(a)] - 1) == 0 ? 0.5 : 1;
+      for (int a = 0; a < dim; ++a)
+        share *= p.lattice.place[i][std::size_t(a)] % (p.lattice.count[std::size_t(a)] - 1) == 0 ? 0.5 : 1;
       EXPECT_EQ(p.volume[i], p.cell * share);
     }
   }
 }
 
-// The centres that shapes tell of themselves are those of their own cells, which leave out the segments between chords and arcs: less than 1 - sin x / x of the
-// area, with x half the angle of a sector.
+// The centres that shapes tell of themselves are those of their own cells, which leave out the segments
+// between chords and arcs: less than 1 - sin x / x of the area, with x half the angle of a sector.
 TEST(Filling, CentroidsAreThoseOfTheCells) {
   using Part = Round::Part;
   for (const Part part : {Part::whole, Part::half, Part::quarter}) {
-    const Round ring(2, {{0.3, 0.2, 0}, 0.5, 1, 0, 2, part}), tube(3, {{0.3, 0.2, 0.1}, 0.4, 1, 2, 0, part}), cylinder(3, {{}, 0, 1, 2, 1, part});
+    const Round ring(2, {{0.3, 0.2, 0}, 0.5, 1, 0, 2, part}), tube(3, {{0.3, 0.2, 0.1}, 0.4, 1, 2, 0, part}),
+        cylinder(3, {{}, 0, 1, 2, 1, part});
     const OwnBall ball({{0.3, 0.2, 0.1}, 1, 2, part, 1});
-    for (const StructuredShape* shape : std::initializer_list<const StructuredShape*>{&ring, &tube, &cylinder, &ball})
+    for (const StructuredShape* shape :
+         std::initializer_list<const StructuredShape*>{&ring, &tube, &cylinder, &ball})
       EXPECT_LT(norm(shape->centroid() - mesh_of(*shape, 40)->centroid()), 1e-3) << shape->describe();
   }
 }
 
-// A particle that has a side through its cell is held: on a slanted end, every particle within half a cell's diagonal and none beyond.
+// A particle that has a side through its cell is held: on a slanted end, every particle within half a cell's
+// diagonal and none beyond.
 TEST(Filling, ASlantedSideHoldsTheLayerThatItCuts) {
   const double angle = std::numbers::pi / 6;
   const Scene scene = scene_of(strip(8, 4, angle));
@@ -177,7 +194,8 @@ TEST(Filling, ASlantedSideHoldsTheLayerThatItCuts) {
   }
 }
 
-// The area vectors of a side are its own, and so is the moment of a pressure on it; those of all sides close. On a lattice and fitted.
+// The area vectors of a side are its own, and so is the moment of a pressure on it; those of all sides close.
+// On a lattice and fitted.
 TEST(Filling, PressureHasTheForceAndTheMomentOfTheSide) {
   const double angle = std::numbers::pi / 6;
   for (const bool fitted : {false, true})
@@ -220,10 +238,12 @@ TEST(Filling, PressureOnACurvedSide) {
   }
 }
 
-// Cut to the spacing a mesh stays conforming: as many free facets as its rim has pieces, in space too, whichever way its cells are turned.
+// Cut to the spacing a mesh stays conforming: as many free facets as its rim has pieces, in space too,
+// whichever way its cells are turned.
 TEST(Filling, CutMeshesConform) {
   std::string why;
-  const auto plane = sph::cut_to_spacing(*strip(4, 2, 0.3)->cells(), 0.1, why);  // cells 0.5 x 0.5: 5 pieces each way
+  const auto plane = sph::cut_to_spacing(
+      *strip(4, 2, 0.3)->cells(), 0.1, why);  // cells 0.5 x 0.5: 5 pieces each way
   ASSERT_TRUE(plane) << why;
   EXPECT_EQ(plane->cells.size(), 4u * 2 * 25);
   EXPECT_EQ(plane->vertices.size(), 21u * 11);
@@ -238,7 +258,8 @@ TEST(Filling, CutMeshesConform) {
     for (int v = 0; v < 8; ++v) c[std::size_t(v)] = place(v & 1, v >> 1 & 1, v >> 2);
     return c;
   };
-  two.cells = {cell([&](int i, int j, int k) { return at(i, j, k); }), cell([&](int i, int j, int k) { return at(2 - j, i, k); })};
+  two.cells = {cell([&](int i, int j, int k) { return at(i, j, k); }),
+               cell([&](int i, int j, int k) { return at(2 - j, i, k); })};
   const auto cut = sph::cut_to_spacing(two, 0.26, why);  // 4 pieces an edge
   ASSERT_TRUE(cut) << why;
   EXPECT_EQ(cut->cells.size(), 2u * 64);
@@ -247,7 +268,8 @@ TEST(Filling, CutMeshesConform) {
 
 // Where cells are too uneven for one smoothing length the particles stand on a lattice, and the user is told.
 TEST(Filling, UnevenMeshesAreFilledByALatticeThatSaysSo) {
-  const auto even = sph::discretize(scene_of(strip(8, 4, 0)), 0, corrected(0.1)), uneven = sph::discretize(scene_of(strip(8, 4, 0, 0.9)), 0, corrected(0.1));
+  const auto even = sph::discretize(scene_of(strip(8, 4, 0)), 0, corrected(0.1)),
+             uneven = sph::discretize(scene_of(strip(8, 4, 0, 0.9)), 0, corrected(0.1));
   EXPECT_TRUE(even->warnings().empty());
   ASSERT_EQ(uneven->warnings().size(), 1u);
   EXPECT_TRUE(uneven->warnings()[0].starts_with("its mesh cuts into pieces of ")) << uneven->warnings()[0];

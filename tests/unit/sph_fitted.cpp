@@ -1,5 +1,5 @@
-// Particles that follow round and slanted sides: true mass, exact linear fields, a boundary that is the side, mirror images that make a
-// quarter the whole; and a pressed ring against Lame.
+// Particles that follow round and slanted sides: true mass, exact linear fields, a boundary that is the side,
+// mirror images that make a quarter the whole; and a pressed ring against Lame.
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -21,7 +21,9 @@ Scene scene_of(std::shared_ptr<const Shape> shape, Plane plane, bool large = fal
   s.bodies[0].thickness = plane == Plane::none ? 1 : 0.5;
   return s;
 }
-std::shared_ptr<Round> ring(Round::Part part) { return std::make_shared<Round>(2, Round::Size{{}, 0.1, 0.2, 0, 2, part}); }
+std::shared_ptr<Round> ring(Round::Part part) {
+  return std::make_shared<Round>(2, Round::Size{{}, 0.1, 0.2, 0, 2, part});
+}
 
 sph::Options options(double spacing) {
   sph::Options o;
@@ -31,8 +33,10 @@ sph::Options options(double spacing) {
 
 TEST(Fitted, MassAndSides) {
   const auto d = sph::discretize(scene_of(ring(Round::Part::whole), Plane::strain), 0, options(0.02));
-  const double mass = std::accumulate(d->mass().begin(), d->mass().end(), 0.0), exact = 7850 * 0.5 * ring(Round::Part::whole)->measure();
-  EXPECT_NEAR(mass, exact, 1e-12 * exact);  // what chords leave out of arcs belongs to the particles of the rims
+  const double mass = std::accumulate(d->mass().begin(), d->mass().end(), 0.0),
+               exact = 7850 * 0.5 * ring(Round::Part::whole)->measure();
+  EXPECT_NEAR(mass, exact,
+              1e-12 * exact);  // what chords leave out of arcs belongs to the particles of the rims
   for (const char* side : {"inner", "outer"}) {
     const auto points = d->points_of({0, {side}, {}, {}});
     EXPECT_GT(points.size(), 20u);
@@ -42,12 +46,15 @@ TEST(Fitted, MassAndSides) {
       EXPECT_NEAR(w.weight, 1.0 / double(points.size()), 1e-12);
     }
   }
-  EXPECT_EQ(d->boundary().size(), d->points_of({0, {"inner"}, {}, {}}).size() + d->points_of({0, {"outer"}, {}, {}}).size());
+  EXPECT_EQ(d->boundary().size(),
+            d->points_of({0, {"inner"}, {}, {}}).size() + d->points_of({0, {"outer"}, {}, {}}).size());
 }
 
 TEST(Fitted, LinearFieldsAreExact) {
   const double A[3][3] = {{1e-3, 2e-3, 0}, {-5e-4, -1e-3, 0}, {0, 0, 0}};
-  const Scene scene = scene_of(std::make_shared<Quadrilateral>(std::array<Point, 4>{Point{0, 0, 0}, {0.48, 0.44, 0}, {0.48, 0.6, 0}, {0, 0.44, 0}}), Plane::stress);
+  const Scene scene = scene_of(std::make_shared<Quadrilateral>(std::array<Point, 4>{
+                                   Point{0, 0, 0}, {0.48, 0.44, 0}, {0.48, 0.6, 0}, {0, 0.44, 0}}),
+                               Plane::stress);
   for (const auto& s : {scene, scene_of(ring(Round::Part::half), Plane::stress)}) {
     const auto d = sph::discretize(s, 0, options(0.03));
     const auto u = linear_vector(*d, A);
@@ -64,20 +71,24 @@ TEST(Fitted, LinearFieldsAreExact) {
   }
 }
 
-// The quarter between two symmetry planes carries a quarter of the whole's mass, and its particles feel the same accelerations.
+// The quarter between two symmetry planes carries a quarter of the whole's mass, and its particles feel the
+// same accelerations.
 TEST(Fitted, AQuarterIsTheWhole) {
   Scene quarter = scene_of(ring(Round::Part::quarter), Plane::strain);
   for (const char* side : {"x-", "y-"}) quarter.symmetries.push_back({Place{0, {side}, {}, {}}});
   // The whole's spacing is that of its bounding box, twice as long: the same cells.
   sph::Options plain = options(0.02);
   plain.projection = false;  // what is iterated agrees less well: Projection.AQuarterIsTheWhole
-  const auto whole = sph::discretize(scene_of(ring(Round::Part::whole), Plane::strain), 0, plain), part = sph::discretize(quarter, 0, plain);
-  EXPECT_NEAR(4 * std::accumulate(part->mass().begin(), part->mass().end(), 0.0), std::accumulate(whole->mass().begin(), whole->mass().end(), 0.0), 1e-9);
+  const auto whole = sph::discretize(scene_of(ring(Round::Part::whole), Plane::strain), 0, plain),
+             part = sph::discretize(quarter, 0, plain);
+  EXPECT_NEAR(4 * std::accumulate(part->mass().begin(), part->mass().end(), 0.0),
+              std::accumulate(whole->mass().begin(), whole->mass().end(), 0.0), 1e-9);
   const auto field = [](const Discretization& d) {  // even across both planes
     AlignedVector<double> u(d.layout().size, 0.0);
     for (std::size_t i = 0; i < d.layout().points; ++i) {
       const Point x = d.position(i);
-      u[d.layout().at(i, 0)] = 1e-3 * x[0] * (1 + 30 * x[1] * x[1]), u[d.layout().at(i, 1)] = -2e-3 * x[1] * std::cos(9 * x[0]);
+      u[d.layout().at(i, 0)] = 1e-3 * x[0] * (1 + 30 * x[1] * x[1]),
+                         u[d.layout().at(i, 1)] = -2e-3 * x[1] * std::cos(9 * x[0]);
     }
     return u;
   };
@@ -88,7 +99,9 @@ TEST(Fitted, AQuarterIsTheWhole) {
     for (std::size_t j = 0; j < whole->layout().points; ++j)
       if (std::hypot(whole->position(j)[0] - x[0], whole->position(j)[1] - x[1]) < 1e-9) twin = j;
     for (int c = 0; c < 2; ++c)
-      EXPECT_NEAR(g[part->layout().at(i, c)] / part->mass()[i], f[whole->layout().at(twin, c)] / whole->mass()[twin], 1e-9 * largest(f) / whole->mass()[twin]);
+      EXPECT_NEAR(
+          g[part->layout().at(i, c)] / part->mass()[i], f[whole->layout().at(twin, c)] / whole->mass()[twin],
+          1e-9 * largest(f) / whole->mass()[twin]);
   }
 }
 
@@ -109,12 +122,15 @@ TEST(Fitted, PressedRing) {
   double mean = 0;
   const auto inner = body.discretization->points_of({0, {"inner"}, {}, {}});
   for (const Weight& w : inner)
-    mean += w.weight * std::hypot(body.u[body.discretization->layout().at(w.point, 0)], body.u[body.discretization->layout().at(w.point, 1)]);
+    mean += w.weight * std::hypot(body.u[body.discretization->layout().at(w.point, 0)],
+                                  body.u[body.discretization->layout().at(w.point, 1)]);
   EXPECT_NEAR(mean, exact, 0.02 * exact);
 }
 
 TEST(Fitted, ABallHasItsMassAndOneSmoothingLength) {
-  const auto ball = [](double finer) { return std::make_shared<OwnBall>(OwnBall::Size{{0, 0, 0}, 0.01, 2, OwnBall::Part::quarter, finer}); };
+  const auto ball = [](double finer) {
+    return std::make_shared<OwnBall>(OwnBall::Size{{0, 0, 0}, 0.01, 2, OwnBall::Part::quarter, finer});
+  };
   const double exact = 7850 * ball(1)->measure();
   for (const double spacing : {0.002, 0.001}) {
     sph::Options o = options(spacing);
@@ -123,7 +139,9 @@ TEST(Fitted, ABallHasItsMassAndOneSmoothingLength) {
     EXPECT_NEAR(std::accumulate(d->mass().begin(), d->mass().end(), 0.0), exact, 1e-12 * exact);
   }
   EXPECT_THAT([&] { sph::discretize(scene_of(ball(4), Plane::none), 0, options(0.001)); },
-              testing::ThrowsMessage<std::runtime_error>(testing::HasSubstr("SPH has one smoothing length, but the quarter ball of radius 10 mm, 4 times finer at z- has cells of many sizes")));
+              testing::ThrowsMessage<std::runtime_error>(testing::HasSubstr(
+                  "SPH has one smoothing length, but the quarter ball of radius 10 mm, 4 "
+                  "times finer at z- has cells of many sizes")));
 }
 
 }  // namespace

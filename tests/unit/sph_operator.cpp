@@ -1,5 +1,5 @@
-// The SPH operator: exact on linear fields where it is corrected, the adjoint of its own strain in every formulation, and the same
-// in both packings, for any number of threads.
+// The SPH operator: exact on linear fields where it is corrected, the adjoint of its own strain in every
+// formulation, and the same in both packings, for any number of threads.
 
 #include <gtest/gtest.h>
 
@@ -46,7 +46,8 @@ std::vector<Variant> variants() {
 
 Point size_for(Plane plane) { return plane == Plane::none ? Point{0.09, 0.06, 0.05} : Point{0.21, 0.13, 0}; }
 
-// Sums of the numbers below are over some hundred terms, so round-off is a few hundred units in the last place.
+// Sums of the numbers below are over some hundred terms, so round-off is a few hundred units in the last
+// place.
 constexpr double round_off = 1e-12;
 
 TEST(SphOperator, CorrectedGradientOfALinearFieldIsExact) {
@@ -70,8 +71,8 @@ TEST(SphOperator, CorrectedGradientOfALinearFieldIsExact) {
   }
 }
 
-// In a uniform stress the force on a particle far from the surface (4 h and more: its neighbours' corrections are the lattice's own)
-// is the lattice sum of odd terms: zero.
+// In a uniform stress the force on a particle far from the surface (4 h and more: its neighbours' corrections
+// are the lattice's own) is the lattice sum of odd terms: zero.
 TEST(SphOperator, UniformStressGivesNoForceInside) {
   const Scene scene = box_scene(Plane::stress, {0.21, 0.13, 0});
   for (const Variant& v : variants()) {
@@ -91,7 +92,8 @@ TEST(SphOperator, UniformStressGivesNoForceInside) {
   }
 }
 
-// f = -K u with K symmetric is the adjoint property; and u.K u / 2 is the energy that the law and the hourglass control report.
+// f = -K u with K symmetric is the adjoint property; and u.K u / 2 is the energy that the law and the
+// hourglass control report.
 TEST(SphOperator, ForceIsTheAdjointOfTheStrain) {
   for (const Variant& v : variants()) {
     const Scene scene = box_scene(v.plane, size_for(v.plane));
@@ -100,14 +102,17 @@ TEST(SphOperator, ForceIsTheAdjointOfTheStrain) {
     const auto fx = force(*d, x), fy = force(*d, y);
     const double scale = std::abs(dot(x, fx));
     EXPECT_NEAR(dot(x, fy), dot(y, fx), round_off * scale) << v.name;
-    EXPECT_NEAR(-0.5 * dot(x, fx), d->energies(x.data()).strain + d->energies(x.data()).hourglass, round_off * scale) << v.name;
+    EXPECT_NEAR(
+        -0.5 * dot(x, fx), d->energies(x.data()).strain + d->energies(x.data()).hourglass, round_off * scale)
+        << v.name;
     AlignedVector<double> kx(x.size());
     d->stiffness(x.data(), kx.data());
     for (std::size_t i = 0; i < kx.size(); ++i) ASSERT_NEAR(kx[i], -fx[i], round_off * largest(fx)) << v.name;
   }
 }
 
-// Linear momentum: always. Angular momentum: the strain of a small turn must vanish, which it does only with a corrected gradient.
+// Linear momentum: always. Angular momentum: the strain of a small turn must vanish, which it does only with
+// a corrected gradient.
 TEST(SphOperator, MomentumIsKeptToRoundOff) {
   for (const Variant& v : variants()) {
     const Scene scene = box_scene(v.plane, size_for(v.plane));
@@ -116,9 +121,11 @@ TEST(SphOperator, MomentumIsKeptToRoundOff) {
     double sum[3] = {}, moment[3] = {}, size = 0;
     for (std::size_t i = 0; i < d->layout().points; ++i) {
       double fi[3] = {};
-      for (int c = 0; c < d->layout().dim; ++c) fi[c] = f[d->layout().at(i, c)], sum[c] += fi[c], size += std::abs(fi[c]);
+      for (int c = 0; c < d->layout().dim; ++c)
+        fi[c] = f[d->layout().at(i, c)], sum[c] += fi[c], size += std::abs(fi[c]);
       const Point x = d->position(i);
-      for (int c = 0; c < 3; ++c) moment[c] += x[(c + 1) % 3] * fi[(c + 2) % 3] - x[(c + 2) % 3] * fi[(c + 1) % 3];
+      for (int c = 0; c < 3; ++c)
+        moment[c] += x[(c + 1) % 3] * fi[(c + 2) % 3] - x[(c + 2) % 3] * fi[(c + 1) % 3];
     }
     for (int c = 0; c < 3; ++c) {
       EXPECT_LT(std::abs(sum[c]), 1e-13 * size) << v.name;
@@ -169,7 +176,8 @@ TEST(SphOperator, ThreadsDoNotChangeABit) {
 
 TEST(SphOperator, ATurnGivesNoStressWithFiniteRotation) {
   const double angle = 0.5 * std::acos(-1.0);
-  double A[3][3] = {{std::cos(angle) - 1, -std::sin(angle), 0}, {std::sin(angle), std::cos(angle) - 1, 0}, {0, 0, 0}};
+  double A[3][3] = {
+      {std::cos(angle) - 1, -std::sin(angle), 0}, {std::sin(angle), std::cos(angle) - 1, 0}, {0, 0, 0}};
   for (Plane plane : {Plane::stress, Plane::none}) {
     const Scene scene = box_scene(plane, size_for(plane), true);
     const auto d = sph::discretize(scene, 0, corrected(0.01));

@@ -1,4 +1,5 @@
-// A plastic body stretched uniformly has the law's own stress at every particle, whatever the motion is superposed.
+// A plastic body stretched uniformly has the law's own stress at every particle, whatever the motion is
+// superposed.
 
 #include <gtest/gtest.h>
 
@@ -31,8 +32,8 @@ MaterialState all_of(const Discretization& d, const AlignedVector<double>& u) {
   return state;
 }
 
-// Small strain: Cauchy stress is the law's. In large motion the law sees the steps dU / Umid, which add up to ln U, and gives the Kirchhoff
-// stress tau = J sigma.
+// Small strain: Cauchy stress is the law's. In large motion the law sees the steps dU / Umid, which add up to
+// ln U, and gives the Kirchhoff stress tau = J sigma.
 TEST(Plastic, UniformStretchGivesTheLawsOwnStress) {
   const double a = 0.008, b = -0.002, c = -0.001;
   for (Plane plane : {Plane::stress, Plane::strain, Plane::none})
@@ -45,24 +46,29 @@ TEST(Plastic, UniformStretchGivesTheLawsOwnStress) {
       for (int k = 1; k <= 10; ++k) {
         force(*d, motion(*d, a * k / 10, b * k / 10, c * k / 10, 0));
         const std::array<double, 3> full{a, b, plane == Plane::none ? c : 0};
-        for (std::size_t i = 0; i < 3; ++i) seen[i] += full[i] / 10 / (large ? 1 + full[i] * (k - 0.5) / 10 : 1);
+        for (std::size_t i = 0; i < 3; ++i)
+          seen[i] += full[i] / 10 / (large ? 1 + full[i] * (k - 0.5) / 10 : 1);
         law = point.advance(seen);
       }
-      const double across = plane == Plane::none ? c : large ? std::expm1(law.strain_across) : law.strain_across;
+      const double across = plane == Plane::none ? c
+                            : large              ? std::expm1(law.strain_across)
+                                                 : law.strain_across;
       const std::array<double, 3> U{1 + a, 1 + b, 1 + across};
       const auto u = motion(*d, a, b, c, 0);
       const MaterialState state = all_of(*d, u);
       ASSERT_GT(law.plastic_strain, 0.004);
       for (std::size_t i = 0; i < state.stress.size(); ++i) {
         for (std::size_t k = 0; k < 3; ++k) {
-          ASSERT_NEAR(state.stress[i][k], law.stress[k] / (large ? U[0] * U[1] * U[2] : 1), 1e-10 * law.equivalent);
+          ASSERT_NEAR(
+              state.stress[i][k], law.stress[k] / (large ? U[0] * U[1] * U[2] : 1), 1e-10 * law.equivalent);
           ASSERT_NEAR(state.strain[i][k], U[k] - 1, 1e-12);
         }
         ASSERT_NEAR(state.plastic[i], law.plastic_strain, 1e-12);
       }
       double volume = 0;
       for (std::size_t i = 0; i < d->material_points(); ++i) volume += d->material_volume(i);
-      EXPECT_NEAR(d->energies(u.data()).strain, law.stored_energy * volume, 1e-9 * law.stored_energy * volume);
+      EXPECT_NEAR(
+          d->energies(u.data()).strain, law.stored_energy * volume, 1e-9 * law.stored_energy * volume);
       EXPECT_NEAR(d->energies(u.data()).plastic, law.plastic_work * volume, 1e-9 * law.plastic_work * volume);
     }
 }
@@ -79,11 +85,13 @@ TEST(Plastic, LatticeEqualsLists) {
       AlignedVector<double> u = random_vector(*lattice, 3, 2e-5), w(lists->layout().size, 0.0);
       for (int turn = 0; turn < 6; ++turn) {
         for (std::size_t i = 0; i < lattice->layout().points; ++i)
-          for (int c = 0; c < lattice->layout().dim; ++c) w[lists->layout().at(i, c)] = u[lattice->layout().at(i, c)];
+          for (int c = 0; c < lattice->layout().dim; ++c)
+            w[lists->layout().at(i, c)] = u[lattice->layout().at(i, c)];
         const AlignedVector<double> a = force(*lattice, u), b = force(*lists, w);
         const double scale = largest(b);
         for (std::size_t i = 0; i < lattice->layout().points; ++i)
-          for (int c = 0; c < lattice->layout().dim; ++c) ASSERT_NEAR(a[lattice->layout().at(i, c)], b[lists->layout().at(i, c)], 1e-12 * scale);
+          for (int c = 0; c < lattice->layout().dim; ++c)
+            ASSERT_NEAR(a[lattice->layout().at(i, c)], b[lists->layout().at(i, c)], 1e-12 * scale);
         for (double& x : u) x *= -1.3;
       }
       const double taken = lists->energies(w.data()).plastic;
@@ -112,8 +120,8 @@ TEST(Plastic, TurningTheBodyChangesNothing) {
   }
 }
 
-// Classic SPH with updated neighbours, inside the body: the law sees the same strain, to the size of the strain. What the stress does is
-// stored or taken.
+// Classic SPH with updated neighbours, inside the body: the law sees the same strain, to the size of the
+// strain. What the stress does is stored or taken.
 TEST(Plastic, UpdatedNeighboursSeeThePlasticLaw) {
   Scene scene = plastic_scene(Plane::stress, true);
   const auto d = sph::discretize(scene, 0, classic(0.005, sph::MassRule::full));

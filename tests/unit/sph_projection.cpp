@@ -1,5 +1,5 @@
-// Corrected SPH on scattered particles: a uniform stress is in balance with the tractions on the sides, to round-off; what the weights give up for
-// that is nothing else: linear fields, momenta and energy stay exact.
+// Corrected SPH on scattered particles: a uniform stress is in balance with the tractions on the sides, to
+// round-off; what the weights give up for that is nothing else: linear fields, momenta and energy stay exact.
 
 #include <gtest/gtest.h>
 
@@ -24,20 +24,23 @@ struct Body {
 
 std::vector<Body> bodies() {
   using Part = Round::Part;
-  const auto round = [](int dim, double inner, Part part) { return std::make_shared<Round>(dim, Round::Size{{}, inner, 0.1, dim == 3 ? 0.1 : 0, 2, part}); };
+  const auto round = [](int dim, double inner, Part part) {
+    return std::make_shared<Round>(dim, Round::Size{{}, inner, 0.1, dim == 3 ? 0.1 : 0, 2, part});
+  };
   const std::array<Point, 4> corners{Point{0, 0, 0}, {0.48, 0.44, 0}, {0.48, 0.6, 0}, {0, 0.44, 0}};
-  return {{"jittered bar", std::make_shared<Box>(2, Point{}, Point{0.4, 0.1, 0}), 0.0125, 1, 0.2},
-          {"jittered bar, h = 1.4 d", std::make_shared<Box>(2, Point{}, Point{0.4, 0.1, 0}), 0.0125, 1.4, 0.2},
-          {"jittered block", std::make_shared<Box>(3, Point{}, Point{0.1, 0.06, 0.08}), 0.02, 1, 0.2},
-          {"disc of blocks", round(2, 0, Part::whole), 0.0125},
-          {"disc of blocks, h = 1.4 d", round(2, 0, Part::whole), 0.0125, 1.4},
-          {"ring, h = 1.4 d", round(2, 0.05, Part::whole), 0.0125, 1.4},
-          {"quadrilateral", std::make_shared<Quadrilateral>(corners), 0.04},
-          {"cylinder", round(3, 0, Part::whole), 0.033},
-          {"ball", std::make_shared<OwnBall>(OwnBall::Size{{}, 0.1, 2, Part::whole, 1}), 0.033},
-          {"ball, h = 1.4 d", std::make_shared<OwnBall>(OwnBall::Size{{}, 0.1, 2, Part::whole, 1}), 0.033, 1.4},
-          {"quarter of a disc", round(2, 0, Part::quarter), 0.0125, 1, 0, {"x-", "y-"}},
-          {"quarter of a cylinder", round(3, 0, Part::quarter), 0.025, 1, 0, {"x-", "y-", "z-"}}};
+  return {
+      {"jittered bar", std::make_shared<Box>(2, Point{}, Point{0.4, 0.1, 0}), 0.0125, 1, 0.2},
+      {"jittered bar, h = 1.4 d", std::make_shared<Box>(2, Point{}, Point{0.4, 0.1, 0}), 0.0125, 1.4, 0.2},
+      {"jittered block", std::make_shared<Box>(3, Point{}, Point{0.1, 0.06, 0.08}), 0.02, 1, 0.2},
+      {"disc of blocks", round(2, 0, Part::whole), 0.0125},
+      {"disc of blocks, h = 1.4 d", round(2, 0, Part::whole), 0.0125, 1.4},
+      {"ring, h = 1.4 d", round(2, 0.05, Part::whole), 0.0125, 1.4},
+      {"quadrilateral", std::make_shared<Quadrilateral>(corners), 0.04},
+      {"cylinder", round(3, 0, Part::whole), 0.033},
+      {"ball", std::make_shared<OwnBall>(OwnBall::Size{{}, 0.1, 2, Part::whole, 1}), 0.033},
+      {"ball, h = 1.4 d", std::make_shared<OwnBall>(OwnBall::Size{{}, 0.1, 2, Part::whole, 1}), 0.033, 1.4},
+      {"quarter of a disc", round(2, 0, Part::quarter), 0.0125, 1, 0, {"x-", "y-"}},
+      {"quarter of a cylinder", round(3, 0, Part::quarter), 0.025, 1, 0, {"x-", "y-", "z-"}}};
 }
 
 Scene scene_of(const Body& b, bool large = false) {
@@ -53,20 +56,29 @@ std::unique_ptr<Discretization> particles_of(const Body& b, bool projection, boo
   return sph::discretize(scene_of(b, large), 0, o);
 }
 
-/// Largest |f + t sigma a| over the largest |t sigma a|, without what symmetry planes hold: a are the corners' shares of the sides.
-double imbalance(const Body& b, const Discretization& d, const AlignedVector<double>& f, const double (&sigma)[3][3], double thickness) {
+/// Largest |f + t sigma a| over the largest |t sigma a|, without what symmetry planes hold: a are the
+/// corners' shares of the sides.
+double imbalance(const Body& b, const Discretization& d, const AlignedVector<double>& f,
+                 const double (&sigma)[3][3], double thickness) {
   std::vector<Point> area(d.layout().points, Point{});
-  const bool named_all = dynamic_cast<const Quadrilateral*>(b.shape.get());  // those of the bounding box are the same again
+  const bool named_all = dynamic_cast<const Quadrilateral*>(
+      b.shape.get());  // those of the bounding box are the same again
   for (const std::string& side : b.shape->sides()) {
     if (named_all && side.size() == 2) continue;
     if (side == "x-" || side == "x+" || side == "y-" || side == "y+" || side == "z-" || side == "z+")
-      if (std::find_if(b.planes.begin(), b.planes.end(), [&](const char* p) { return side == p; }) != b.planes.end()) continue;
-    for (const PointArea& part : d.outward_areas({0, {side}, {}, {}, {}})) area[part.point] = area[part.point] + part.area;
+      if (std::find_if(b.planes.begin(), b.planes.end(), [&](const char* p) { return side == p; }) !=
+          b.planes.end())
+        continue;
+    for (const PointArea& part : d.outward_areas({0, {side}, {}, {}, {}}))
+      area[part.point] = area[part.point] + part.area;
   }
   double most = 0, off = 0;
   for (std::size_t i = 0; i < d.layout().points; ++i)
     for (int r = 0; r < d.layout().dim; ++r) {
-      if (std::any_of(b.planes.begin(), b.planes.end(), [&](const char* p) { return p[0] - 'x' == r && std::abs(d.position(i)[std::size_t(r)]) < 1e-9; })) continue;
+      if (std::any_of(b.planes.begin(), b.planes.end(), [&](const char* p) {
+            return p[0] - 'x' == r && std::abs(d.position(i)[std::size_t(r)]) < 1e-9;
+          }))
+        continue;
       double traction = 0;
       for (int c = 0; c < d.layout().dim; ++c) traction += sigma[r][c] * area[i][std::size_t(c)];
       most = std::max(most, std::abs(traction) * thickness);
@@ -87,7 +99,8 @@ double imbalance_of(const Body& b, bool projection) {
   const Scene scene = scene_of(b);
   const auto law = std::get<LinearElastic>(scene.material_of(scene.bodies[0]).law(scene.plane));
   for (int r = 0; r < dim; ++r)
-    for (int c = 0; c < dim; ++c) sigma[r][c] = law.mu * (A[r][c] + A[c][r]) + (r == c ? law.lambda * trace : 0);
+    for (int c = 0; c < dim; ++c)
+      sigma[r][c] = law.mu * (A[r][c] + A[c][r]) + (r == c ? law.lambda * trace : 0);
   return imbalance(b, *d, force(*d, linear_vector(*d, A)), sigma, scene.bodies[0].thickness);
 }
 
@@ -98,9 +111,11 @@ TEST(Projection, UniformStressBalancesItsTractions) {
   }
 }
 
-// A ring of one smooth block is near balance as it comes; its displacements are better so, and it stays as it is.
+// A ring of one smooth block is near balance as it comes; its displacements are better so, and it stays as it
+// is.
 TEST(Projection, NotWhereTheRowsAreNearBalance) {
-  const Body ring{"ring", std::make_shared<Round>(2, Round::Size{{}, 0.05, 0.1, 0, 2, Round::Part::whole}), 0.0125};
+  const Body ring{
+      "ring", std::make_shared<Round>(2, Round::Size{{}, 0.05, 0.1, 0, 2, Round::Part::whole}), 0.0125};
   const double as_it_comes = imbalance_of(ring, false);
   EXPECT_LT(as_it_comes, 0.05);
   EXPECT_EQ(imbalance_of(ring, true), as_it_comes);
@@ -113,7 +128,8 @@ TEST(Projection, ForceIsTheSlopeOfTheEnergy) {
     auto x = random_vector(*d, 1), y = random_vector(*d, 2);
     for (std::size_t i = 0; i < d->layout().points; ++i)  // symmetry planes hold what is across them
       for (const char* plane : b.planes)
-        if (const int c = plane[0] - 'x'; std::abs(d->position(i)[std::size_t(c)]) < 1e-9) x[d->layout().at(i, c)] = y[d->layout().at(i, c)] = 0;
+        if (const int c = plane[0] - 'x'; std::abs(d->position(i)[std::size_t(c)]) < 1e-9)
+          x[d->layout().at(i, c)] = y[d->layout().at(i, c)] = 0;
     const auto fx = force(*d, x), fy = force(*d, y);
     const double scale = std::abs(dot(x, fx));
     EXPECT_NEAR(dot(x, fy), dot(y, fx), 1e-12 * scale) << b.name;
@@ -154,8 +170,12 @@ TEST(Projection, MomentaAreKept) {
       for (std::size_t i = 0; i < d->layout().points; ++i) {
         double fi[3] = {};
         Point x = d->position(i);
-        for (int c = 0; c < d->layout().dim; ++c) fi[c] = f[d->layout().at(i, c)], sum[c] += fi[c], size += std::abs(fi[c]), x[std::size_t(c)] += large * u[d->layout().at(i, c)];
-        for (int c = 0; c < 3; ++c) moment[c] += x[std::size_t((c + 1) % 3)] * fi[(c + 2) % 3] - x[std::size_t((c + 2) % 3)] * fi[(c + 1) % 3];
+        for (int c = 0; c < d->layout().dim; ++c)
+          fi[c] = f[d->layout().at(i, c)], sum[c] += fi[c], size += std::abs(fi[c]),
+          x[std::size_t(c)] += large * u[d->layout().at(i, c)];
+        for (int c = 0; c < 3; ++c)
+          moment[c] += x[std::size_t((c + 1) % 3)] * fi[(c + 2) % 3] -
+                       x[std::size_t((c + 2) % 3)] * fi[(c + 1) % 3];
       }
       for (int c = 0; c < 3; ++c) EXPECT_LT(std::abs(sum[c]), 1e-13 * size) << b.name;
       // Of the hourglass control's moment, in the deformed body, only the strain's part vanishes by itself.
@@ -163,17 +183,22 @@ TEST(Projection, MomentaAreKept) {
     }
 }
 
-// The quarter and the whole, each iterated by itself: forces agree to what the residual (1e-12) leaves of the scales, which is more by the condition of the
-// equations; without projection they agree to round-off (Fitted.AQuarterIsTheWhole).
+// The quarter and the whole, each iterated by itself: forces agree to what the residual (1e-12) leaves of the
+// scales, which is more by the condition of the equations; without projection they agree to round-off
+// (Fitted.AQuarterIsTheWhole).
 TEST(Projection, AQuarterIsTheWhole) {
-  const auto disc = [](Round::Part part) { return std::make_shared<Round>(2, Round::Size{{}, 0, 0.1, 0, 2, part}); };
-  const Body part{"quarter", disc(Round::Part::quarter), 0.0125, 1, 0, {"x-", "y-"}}, all{"whole", disc(Round::Part::whole), 0.0125};
+  const auto disc = [](Round::Part part) {
+    return std::make_shared<Round>(2, Round::Size{{}, 0, 0.1, 0, 2, part});
+  };
+  const Body part{"quarter", disc(Round::Part::quarter), 0.0125, 1, 0, {"x-", "y-"}},
+      all{"whole", disc(Round::Part::whole), 0.0125};
   const auto p = particles_of(part, true), w = particles_of(all, true);
   const auto field = [](const Discretization& d) {  // even across both planes
     AlignedVector<double> u(d.layout().size, 0.0);
     for (std::size_t i = 0; i < d.layout().points; ++i) {
       const Point x = d.position(i);
-      u[d.layout().at(i, 0)] = 1e-3 * x[0] * (1 + 30 * x[1] * x[1]), u[d.layout().at(i, 1)] = -2e-3 * x[1] * std::cos(9 * x[0]);
+      u[d.layout().at(i, 0)] = 1e-3 * x[0] * (1 + 30 * x[1] * x[1]),
+                         u[d.layout().at(i, 1)] = -2e-3 * x[1] * std::cos(9 * x[0]);
     }
     return u;
   };
@@ -184,7 +209,8 @@ TEST(Projection, AQuarterIsTheWhole) {
     for (std::size_t j = 0; j < w->layout().points; ++j)
       if (norm(w->position(j) - x) < 1e-9) twin = j;
     for (int c = 0; c < 2; ++c)
-      EXPECT_NEAR(g[p->layout().at(i, c)] / p->mass()[i], f[w->layout().at(twin, c)] / w->mass()[twin], 1e-6 * largest(f) / w->mass()[twin]);
+      EXPECT_NEAR(g[p->layout().at(i, c)] / p->mass()[i], f[w->layout().at(twin, c)] / w->mass()[twin],
+                  1e-6 * largest(f) / w->mass()[twin]);
   }
 }
 
@@ -220,26 +246,34 @@ std::shared_ptr<MeshShape> mesh_of_a_ball() {
         std::vector<int> corners;
         for (int v = 0; v < 8; ++v)
           if ((v >> a & 1) == s) corners.push_back(cell[std::size_t(v)]);
-        if (std::all_of(corners.begin(), corners.end(), [&](int v) { return std::abs(norm(mesh.vertices[std::size_t(v)]) - 0.1) < 1e-9; }))
+        if (std::all_of(corners.begin(), corners.end(),
+                        [&](int v) { return std::abs(norm(mesh.vertices[std::size_t(v)]) - 0.1) < 1e-9; }))
           mesh.facets.push_back({{corners[0], corners[1], corners[2], corners[3]}, 0});
       }
   return std::make_shared<MeshShape>(mesh, "ball");
 }
 
-// Under one pressure all around a body that its lattice fills in steps holds the uniform stress exactly; the force and the moment of all its sides are zero.
+// Under one pressure all around a body that its lattice fills in steps holds the uniform stress exactly; the
+// force and the moment of all its sides are zero.
 TEST(Projection, SidesThatCutALatticeHoldAUniformStress) {
   const double turn = 0.4;
-  const auto turned = [&](double x, double y) { return Point{x * std::cos(turn) - y * std::sin(turn), x * std::sin(turn) + y * std::cos(turn), 0}; };
+  const auto turned = [&](double x, double y) {
+    return Point{x * std::cos(turn) - y * std::sin(turn), x * std::sin(turn) + y * std::cos(turn), 0};
+  };
   const std::array<Point, 4> corners{turned(0, 0), turned(0.2, 0), turned(0.2, 0.1), turned(0, 0.1)};
-  const auto round = [](int dim, double inner) { return std::make_shared<Round>(dim, Round::Size{{}, inner, 0.1, dim == 3 ? 0.1 : 0, 2, Round::Part::whole}); };
-  const std::vector<Body> bodies{{"disc", round(2, 0), 0.011},
-                                 {"ring", round(2, 0.05), 0.0085},
-                                 {"half ring", std::make_shared<Round>(2, Round::Size{{}, 0.05, 0.1, 0, 2, Round::Part::half}), 0.0085},
-                                 {"disc without cells", std::make_shared<Ball>(2, Point{}, 0.1), 0.011},
-                                 {"sphere without cells", std::make_shared<Ball>(3, Point{}, 0.1), 0.025},
-                                 {"turned box", std::make_shared<Quadrilateral>(corners), 0.0125},
-                                 {"cylinder", round(3, 0), 0.02},
-                                 {"mesh of a ball", mesh_of_a_ball(), 0.021}};
+  const auto round = [](int dim, double inner) {
+    return std::make_shared<Round>(
+        dim, Round::Size{{}, inner, 0.1, dim == 3 ? 0.1 : 0, 2, Round::Part::whole});
+  };
+  const std::vector<Body> bodies{
+      {"disc", round(2, 0), 0.011},
+      {"ring", round(2, 0.05), 0.0085},
+      {"half ring", std::make_shared<Round>(2, Round::Size{{}, 0.05, 0.1, 0, 2, Round::Part::half}), 0.0085},
+      {"disc without cells", std::make_shared<Ball>(2, Point{}, 0.1), 0.011},
+      {"sphere without cells", std::make_shared<Ball>(3, Point{}, 0.1), 0.025},
+      {"turned box", std::make_shared<Quadrilateral>(corners), 0.0125},
+      {"cylinder", round(3, 0), 0.02},
+      {"mesh of a ball", mesh_of_a_ball(), 0.021}};
   for (const Body& b : bodies) {
     sph::Options o = corrected(b.spacing);
     o.fitted = false;
@@ -250,14 +284,17 @@ TEST(Projection, SidesThatCutALatticeHoldAUniformStress) {
     const double p = 2 * law.mu * 1e-4 + law.lambda * 1e-4 * d->layout().dim;
     const double sigma[3][3] = {{p, 0, 0}, {0, p, 0}, {0, 0, p}};
     std::vector<std::string> sides = b.shape->sides();
-    std::erase_if(sides, [&](const std::string& side) { return b.shape->cells() || dynamic_cast<const Quadrilateral*>(b.shape.get()) ? side.size() == 2 : false; });
+    std::erase_if(sides, [&](const std::string& side) {
+      return b.shape->cells() || dynamic_cast<const Quadrilateral*>(b.shape.get()) ? side.size() == 2 : false;
+    });
     std::vector<Point> area(d->layout().points, Point{});
     Point all{};
     std::vector<Place> places;
     for (const std::string& side : sides) places.push_back({0, {side}, {}, {}, {}});
     if (dynamic_cast<const Ball*>(b.shape.get())) places = {Place{0, {}, {}, {}, {}}};  // "all"
     for (const Place& place : places)
-      for (const PointArea& part : d->outward_areas(place)) area[part.point] = area[part.point] + part.area, all = all + part.area;
+      for (const PointArea& part : d->outward_areas(place))
+        area[part.point] = area[part.point] + part.area, all = all + part.area;
     const auto f = force(*d, linear_vector(*d, e));
     double most = 0, off = 0;
     for (std::size_t i = 0; i < area.size(); ++i)
@@ -272,14 +309,21 @@ TEST(Projection, SidesThatCutALatticeHoldAUniformStress) {
 
 // With symmetry planes as well: they are no sides, and what acts is a quarter of the whole.
 TEST(Projection, SidesThatCutALatticeBesideSymmetryPlanes) {
-  Body b{"quarter of a disc", std::make_shared<Round>(2, Round::Size{{}, 0, 0.1, 0, 2, Round::Part::quarter}), 0.011, 1, 0, {"x-", "y-"}};
+  Body b{"quarter of a disc",
+         std::make_shared<Round>(2, Round::Size{{}, 0, 0.1, 0, 2, Round::Part::quarter}),
+         0.011,
+         1,
+         0,
+         {"x-", "y-"}};
   sph::Options o = corrected(b.spacing);
   o.fitted = false;
   const auto d = sph::discretize(scene_of(b), 0, o);
   std::vector<Point> area(d->layout().points, Point{});
   Point all{};
-  for (const PointArea& part : d->outward_areas({0, {"outer"}, {}, {}, {}})) area[part.point] = area[part.point] + part.area, all = all + part.area;
-  EXPECT_NEAR(all[0], 0.1, 1e-3);  // R, the integral of cos, but for what the planes bear: across them particles are held
+  for (const PointArea& part : d->outward_areas({0, {"outer"}, {}, {}, {}}))
+    area[part.point] = area[part.point] + part.area, all = all + part.area;
+  EXPECT_NEAR(all[0], 0.1,
+              1e-3);  // R, the integral of cos, but for what the planes bear: across them particles are held
   EXPECT_NEAR(all[1], 0.1, 1e-3);
   for (const Point& a : area) EXPECT_LT(norm(a), 2 * b.spacing);
   const double e[3][3] = {{1e-4, 0, 0}, {0, 1e-4, 0}, {0, 0, 0}};
@@ -289,7 +333,9 @@ TEST(Projection, SidesThatCutALatticeBesideSymmetryPlanes) {
   const auto f = force(*d, linear_vector(*d, e));
   for (std::size_t i = 0; i < area.size(); ++i)
     for (int c = 0; c < 2; ++c)
-      if (d->position(i)[std::size_t(c)] > 1e-9) EXPECT_NEAR(f[d->layout().at(i, c)], -p * thickness * area[i][std::size_t(c)], 1e-9 * p * thickness * b.spacing);
+      if (d->position(i)[std::size_t(c)] > 1e-9)
+        EXPECT_NEAR(f[d->layout().at(i, c)], -p * thickness * area[i][std::size_t(c)],
+                    1e-9 * p * thickness * b.spacing);
 }
 
 }  // namespace

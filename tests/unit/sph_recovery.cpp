@@ -8,7 +8,8 @@
 namespace femsph::test {
 namespace {
 
-std::unique_ptr<Discretization> particles_of(const Scene& scene, double spacing, double jitter = 0, double hourglass = 0.1) {
+std::unique_ptr<Discretization> particles_of(const Scene& scene, double spacing, double jitter = 0,
+                                             double hourglass = 0.1) {
   sph::Options options;
   options.spacing = spacing;
   options.jitter = jitter;
@@ -23,7 +24,8 @@ void expect_linear_exact(const Discretization& d, const std::vector<Point>& plac
   const auto linear = [](const Point& x) { return 1 + 2 * x[0] - 3 * x[1] + 1.5 * x[2]; };
   for (const Point& p : places) {
     double sum = 0, value = 0, size = 0;
-    for (const Weight& w : rule.weights(p)) sum += w.weight, size += std::abs(w.weight), value += w.weight * linear(units.place[w.point]);
+    for (const Weight& w : rule.weights(p))
+      sum += w.weight, size += std::abs(w.weight), value += w.weight * linear(units.place[w.point]);
     EXPECT_NEAR(sum, 1, 1e-12);
     EXPECT_NEAR(value, linear(p), 1e-12);
     EXPECT_LT(size, 12);  // at corners, from the second and third layer
@@ -31,21 +33,31 @@ void expect_linear_exact(const Discretization& d, const std::vector<Point>& plac
 }
 
 TEST(SphRecovery, LinearFieldsAreExactOnAnyParticles) {
-  const std::vector<Point> plane{{0, 0, 0}, {1, 0, 0}, {0.5, 0, 0}, {0.53, 0.47, 0}, {1, 0.6, 0}}, space{{0, 0, 0}, {1, 0, 0}, {0.5, 0, 0.7}, {0.53, 0.47, 0.1}, {0, 0.6, 0.7}};
+  const std::vector<Point> plane{{0, 0, 0}, {1, 0, 0}, {0.5, 0, 0}, {0.53, 0.47, 0}, {1, 0.6, 0}},
+      space{{0, 0, 0}, {1, 0, 0}, {0.5, 0, 0.7}, {0.53, 0.47, 0.1}, {0, 0.6, 0.7}};
   for (const double jitter : {0.0, 0.25}) {
-    expect_linear_exact(*particles_of(recovery_scene(std::make_shared<Box>(2, Point{}, Point{1, 0.6, 0}), Plane::stress), 0.1, jitter), plane);
-    expect_linear_exact(*particles_of(recovery_scene(std::make_shared<Box>(3, Point{}, Point{1, 0.6, 0.7}), Plane::none), 0.1, jitter), space);
+    expect_linear_exact(
+        *particles_of(
+            recovery_scene(std::make_shared<Box>(2, Point{}, Point{1, 0.6, 0}), Plane::stress), 0.1, jitter),
+        plane);
+    expect_linear_exact(
+        *particles_of(
+            recovery_scene(std::make_shared<Box>(3, Point{}, Point{1, 0.6, 0.7}), Plane::none), 0.1, jitter),
+        space);
   }
-  expect_linear_exact(*particles_of(recovery_scene(quarter_ring(2, 8), Plane::strain), 0.125), {{1, 0, 0}, {std::sqrt(2.0), std::sqrt(2.0), 0}, {0, 1.4, 0}});
+  expect_linear_exact(*particles_of(recovery_scene(quarter_ring(2, 8), Plane::strain), 0.125),
+                      {{1, 0, 0}, {std::sqrt(2.0), std::sqrt(2.0), 0}, {0, 1.4, 0}});
 }
 
-/// On a lattice with h = d a face particle has its own layer and the next: its strain is that of the place half a spacing inside, of an inner particle its own.
+/// On a lattice with h = d a face particle has its own layer and the next: its strain is that of the place
+/// half a spacing inside, of an inner particle its own.
 TEST(SphRecovery, PlacesOfStrains) {
-  const auto d = particles_of(recovery_scene(std::make_shared<Box>(2, Point{}, Point{1, 0.6, 0}), Plane::stress), 0.1);
+  const auto d = particles_of(
+      recovery_scene(std::make_shared<Box>(2, Point{}, Point{1, 0.6, 0}), Plane::stress), 0.1);
   const MaterialUnits units = d->material_units();
   for (std::size_t i = 0; i < d->material_points(); ++i) {
     const Point x = d->position(i), s = units.place[i] - x;
-    const bool ends = x[0] < 0.15 || x[0] > 0.85, side = x[1] < 0.05, deep = x[1] > 0.15 && x[1] < 0.45;
+    const bool ends = x[0] < 0.15 || x[0] > 0.85, side = x[1]<0.05, deep = x[1]> 0.15 && x[1] < 0.45;
     if (!ends && deep) {
       EXPECT_NEAR(norm(s), 0, 1e-15);
     }
@@ -57,7 +69,8 @@ TEST(SphRecovery, PlacesOfStrains) {
   }
 }
 
-/// Classic SPH: no place but the particle's own, and the same surface whatever rule gives the masses. On a symmetry plane the body goes on.
+/// Classic SPH: no place but the particle's own, and the same surface whatever rule gives the masses. On a
+/// symmetry plane the body goes on.
 TEST(SphRecovery, SurfaceOfClassicParticles) {
   for (const sph::MassRule mass : {sph::MassRule::share, sph::MassRule::full, sph::MassRule::trapezoid})
     for (const bool symmetric : {false, true}) {
@@ -78,9 +91,11 @@ TEST(SphRecovery, SurfaceOfClassicParticles) {
     }
 }
 
-/// A quadratic displacement: at the surface the particle's strain is off by half a spacing's worth, and the reading is not.
+/// A quadratic displacement: at the surface the particle's strain is off by half a spacing's worth, and the
+/// reading is not.
 TEST(SphRecovery, QuadraticDisplacement) {
-  const auto d = particles_of(recovery_scene(std::make_shared<Box>(2, Point{}, Point{1, 0.6, 0}), Plane::stress), 0.05);
+  const auto d = particles_of(
+      recovery_scene(std::make_shared<Box>(2, Point{}, Point{1, 0.6, 0}), Plane::stress), 0.05);
   const Flat u = flat_field(*d, [](const Point& x) { return Point{0, x[1] * x[1], 0}; });
   const Recovery rule(d->material_units());
   for (const double x : {0.0, 0.31, 1.0})
@@ -92,7 +107,8 @@ TEST(SphRecovery, QuadraticDisplacement) {
 
 TEST(SphRecovery, SectionOfACantilever) {
   for (const double hourglass : {0.1, 0.02}) {
-    const SectionErrors coarse = section_of(*particles_of(cantilever_scene(), 0.25, 0, hourglass)), fine = section_of(*particles_of(cantilever_scene(), 1.0 / 16, 0, hourglass));
+    const SectionErrors coarse = section_of(*particles_of(cantilever_scene(), 0.25, 0, hourglass)),
+                        fine = section_of(*particles_of(cantilever_scene(), 1.0 / 16, 0, hourglass));
     EXPECT_GT(0.5 * std::log2(coarse.xx / fine.xx), 1.6);
     EXPECT_GT(0.5 * std::log2(coarse.xy / fine.xy), 1.6);
     EXPECT_LT(fine.xx, 0.5 * fine.raw_xx);
@@ -119,35 +135,53 @@ TEST(SphRecovery, SmoothWave) {
   for (const double jitter : {0.0, 0.2})
     for (const bool inside : {false, true}) {
       const auto error = [&](int ny) {
-        const auto d = particles_of(recovery_scene(std::make_shared<Box>(2, Point{}, Point{4, 1, 0}), Plane::stress), 1.0 / ny, jitter);
+        const auto d = particles_of(
+            recovery_scene(std::make_shared<Box>(2, Point{}, Point{4, 1, 0}), Plane::stress), 1.0 / ny,
+            jitter);
         const auto phase = [](const Point& x) { return 2 * x[0] + x[1] + 0.3; };
-        const Flat u = flat_field(*d, [&](const Point& x) { return Point{std::sin(phase(x)), 0.5 * std::sin(phase(x)), 0}; });
+        const Flat u = flat_field(*d, [&](const Point& x) {
+          return Point{std::sin(phase(x)), 0.5 * std::sin(phase(x)), 0};
+        });
         const Recovery rule(d->material_units());
         double e = 0, raw = 0, size = 0;
         for (int i = 0; i <= 40; ++i) {
           const Point p{i / 10.0, inside ? 0.47 : 0.0, 0};
           const double exact = E / (1 - nu * nu) * (2 + nu * 0.5) * std::cos(phase(p));
-          e += std::pow(read_at(*d, rule, u, p, Plane::stress).stress[0] - exact, 2), raw += std::pow(raw_at(*d, u, p)[0] - exact, 2), size += exact * exact;
+          e += std::pow(read_at(*d, rule, u, p, Plane::stress).stress[0] - exact, 2),
+              raw += std::pow(raw_at(*d, u, p)[0] - exact, 2), size += exact * exact;
         }
         EXPECT_LT(e, 0.6 * raw);
         return 100 * std::sqrt(e / size);
       };
       const double coarse = error(8), fine = error(16);
-      EXPECT_LT(coarse, jitter > 0 ? 3.5 : 1.5);  // out of order the weights are made for a uniform stress, and a wave has less of them
+      EXPECT_LT(
+          coarse,
+          jitter > 0
+              ? 3.5
+              : 1.5);  // out of order the weights are made for a uniform stress, and a wave has less of them
       EXPECT_LT(fine, jitter > 0 ? 1.2 : 0.4);
     }
 }
 
-/// Stress at the end of a clamped side grows with every halving as Williams has it (1.18 times), from below; and at the loaded end it is what is applied.
+/// Stress at the end of a clamped side grows with every halving as Williams has it (1.18 times), from below;
+/// and at the loaded end it is what is applied.
 TEST(SphRecovery, ClampedCornerAndLoadedEnd) {
   const auto read = [](int ny, const Point& p) {
-    const auto d = particles_of(recovery_scene(std::make_shared<Box>(2, Point{0, -0.5, 0}, Point{2, 1, 0}), Plane::stress), 1.0 / ny, 0, 0.05);
+    const auto d = particles_of(
+        recovery_scene(std::make_shared<Box>(2, Point{0, -0.5, 0}, Point{2, 1, 0}), Plane::stress), 1.0 / ny,
+        0, 0.05);
     const auto given = [&](const Point& x) {
       std::array<std::optional<double>, 3> u{};
       if (x[0] < 1e-12) u[0] = u[1] = 0;
       return u;
     };
-    const Flat u = static_solution(*d, given, traction(*d, [](const Point& x) { return x[0] > 2 - 1e-9; }, [](const Point&) { return Point{1, 0, 0}; }));
+    const Flat u = static_solution(
+        *d, given,
+        traction(
+            *d, [](const Point& x) { return x[0] > 2 - 1e-9; },
+            [](const Point&) {
+              return Point{1, 0, 0};
+            }));
     return read_at(*d, Recovery(d->material_units()), u, p, Plane::stress).stress[0];
   };
   const double growth = read(32, {0, 0.5, 0}) / read(16, {0, 0.5, 0});
@@ -163,7 +197,8 @@ TEST(SphRecovery, PlasticBendingStaysOnTheYieldCurve) {
     EXPECT_LT(e.most, 1 + 1e-12);
     EXPECT_GT(e.most, 0.999);
     EXPECT_LT(e.l2, e.raw_l2);
-    EXPECT_LT(plastic_section_of(*particles_of(plastic_scene(0.02 * E), 1.0 / ny), 0.02 * E).most - 1, 1e-12) << ny;
+    EXPECT_LT(plastic_section_of(*particles_of(plastic_scene(0.02 * E), 1.0 / ny), 0.02 * E).most - 1, 1e-12)
+        << ny;
     if (ny == 16) {
       EXPECT_LT(e.l2, 1);
     }
@@ -173,7 +208,8 @@ TEST(SphRecovery, PlasticBendingStaysOnTheYieldCurve) {
 /// Uniaxial stress that varies over the height alone, read on edges, faces and inside.
 TEST(SphRecovery, BendingInSpace) {
   for (const int n : {4, 8}) {
-    const SpaceBending e = bending_in_space(*particles_of(recovery_scene(std::make_shared<Box>(3, Point{}, Point{3, 1, 1}), Plane::none), 1.0 / n, 0, 0.05));
+    const SpaceBending e = bending_in_space(*particles_of(
+        recovery_scene(std::make_shared<Box>(3, Point{}, Point{3, 1, 1}), Plane::none), 1.0 / n, 0, 0.05));
     EXPECT_LT(e.xx, 1.5);
     EXPECT_LT(e.any, 4.5);
   }
@@ -185,7 +221,8 @@ TEST(SphRecovery, PointsKeepToTheirBounds) {
     for (const bool large : {false, true})
       for (const auto& [name, law] : plastic_laws()) {
         SCOPED_TRACE(std::string(name) + (large ? " large" : " small"));
-        Scene scene = recovery_scene(std::make_shared<Box>(dim, Point{}, Point{1, 1, dim == 3 ? 1.0 : 0.0}), dim == 2 ? Plane::strain : Plane::none, law);
+        Scene scene = recovery_scene(std::make_shared<Box>(dim, Point{}, Point{1, 1, dim == 3 ? 1.0 : 0.0}),
+                                     dim == 2 ? Plane::strain : Plane::none, law);
         scene.large_motion = large;
         const auto d = particles_of(scene, 0.25);
         expect_bounds(*d, law, large ? 0.2 : 0.02);

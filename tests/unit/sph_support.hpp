@@ -1,5 +1,6 @@
 #pragma once
-// Scenes built in code, and a plain reference of the SPH operator: loops over all pairs, one neighbour at a time.
+// Scenes built in code, and a plain reference of the SPH operator: loops over all pairs, one neighbour at a
+// time.
 
 #include <cmath>
 #include <random>
@@ -19,12 +20,14 @@ inline Scene box_scene(Plane plane, Point size, bool large = false) {
   s.large_motion = large;
   s.materials["steel"] = Material{"steel", 2.1e11, 0.3, 7850};
   const int dim = plane == Plane::none ? 3 : 2;
-  s.bodies.push_back({"block", std::make_shared<Box>(dim, Point{0.01, -0.02, 0}, size), dim == 2 ? 0.1 : 1.0, "steel"});
+  s.bodies.push_back(
+      {"block", std::make_shared<Box>(dim, Point{0.01, -0.02, 0}, size), dim == 2 ? 0.1 : 1.0, "steel"});
   s.duration = 1e-3;
   return s;
 }
 
-inline sph::Options classic(double spacing, sph::MassRule mass, sph::Boundary boundary = sph::Boundary::none) {
+inline sph::Options classic(double spacing, sph::MassRule mass,
+                            sph::Boundary boundary = sph::Boundary::none) {
   sph::Options o;
   o.formulation = sph::Formulation::classic;
   o.spacing = spacing;
@@ -71,13 +74,16 @@ inline double largest(const AlignedVector<double>& a) {
 }
 
 inline AlignedVector<double> force(Discretization& d, const AlignedVector<double>& u) {
-  AlignedVector<double> f(d.layout().size, 0.0), v(d.layout().size, 0.0), viscous(d.has_viscosity() ? d.layout().size : 0, 0.0);
+  AlignedVector<double> f(d.layout().size, 0.0), v(d.layout().size, 0.0),
+      viscous(d.has_viscosity() ? d.layout().size : 0, 0.0);
   d.internal_force(u.data(), v.data(), 0, f.data(), viscous.empty() ? nullptr : viscous.data());
   return f;
 }
 
-/// f_k = -sum_i V_i (s_i B_i) : d H_i / d u_k with H_i = sum_j K_j (u_j - u_i) (x) grad_i W_ij, small strain, all pairs; if corrected with
-/// B_i = (sum_j K_j grad W (x) x_ij)^-1 and whole cells K = d^dim, else K = V. A box on a lattice. Plane stress or 3D by the law. No hourglass control, no projection.
-AlignedVector<double> plain_force(const Scene& scene, const sph::Options& options, const Discretization& d, const AlignedVector<double>& u);
+/// f_k = -sum_i V_i (s_i B_i) : d H_i / d u_k with H_i = sum_j K_j (u_j - u_i) (x) grad_i W_ij, small strain,
+/// all pairs; if corrected with B_i = (sum_j K_j grad W (x) x_ij)^-1 and whole cells K = d^dim, else K = V. A
+/// box on a lattice. Plane stress or 3D by the law. No hourglass control, no projection.
+AlignedVector<double> plain_force(const Scene& scene, const sph::Options& options, const Discretization& d,
+                                  const AlignedVector<double>& u);
 
 }  // namespace femsph::test

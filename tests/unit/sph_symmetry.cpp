@@ -1,5 +1,6 @@
-// A body with symmetry planes is one half (or a quarter) of the whole: for a displacement field of the half and its mirror image in
-// the whole, accelerations agree in every particle and the energies are a half (a quarter), to round-off.
+// A body with symmetry planes is one half (or a quarter) of the whole: for a displacement field of the half
+// and its mirror image in the whole, accelerations agree in every particle and the energies are a half (a
+// quarter), to round-off.
 
 #include <gtest/gtest.h>
 
@@ -22,9 +23,12 @@ std::vector<Case> cases() {
   using sph::Boundary, sph::MassRule;
   std::vector<Case> out;
   const std::vector<std::pair<const char*, sph::Options>> options{
-      {"share", classic(0.01, MassRule::share)},         {"full", classic(0.01, MassRule::full)},
-      {"trapezoid", classic(0.01, MassRule::trapezoid)}, {"weight", classic(0.01, MassRule::share, Boundary::weight)},
-      {"corrected", corrected(0.01)},                    {"corrected, h = 2 d", corrected(0.01, 2.0)}};
+      {"share", classic(0.01, MassRule::share)},
+      {"full", classic(0.01, MassRule::full)},
+      {"trapezoid", classic(0.01, MassRule::trapezoid)},
+      {"weight", classic(0.01, MassRule::share, Boundary::weight)},
+      {"corrected", corrected(0.01)},
+      {"corrected, h = 2 d", corrected(0.01, 2.0)}};
   for (const auto& [name, o] : options)
     for (bool lists : {false, true}) {
       sph::Options option = o;
@@ -57,7 +61,8 @@ struct Pair {
     }
     whole.bodies[0].shape = std::make_shared<Box>(dim, lower, all);
     const double row = dim == 3 ? 0.02 : 0.033;  // across x, between two rows in the plane
-    half.bars.push_back({"bar", 0, {0, row, 0.02 * (dim - 2)}, {size[0], row, 0.02 * (dim - 2)}, 2e-4, "steel"});
+    half.bars.push_back(
+        {"bar", 0, {0, row, 0.02 * (dim - 2)}, {size[0], row, 0.02 * (dim - 2)}, 2e-4, "steel"});
     whole.bars.push_back(half.bars[0]);
     whole.bars[0].from[0] = lower[0];
     whole.bars[0].to[0] = lower[0] + all[0];
@@ -80,10 +85,13 @@ AlignedVector<double> field(const Pair& pair, const Discretization& d, unsigned 
   return u;
 }
 
-std::array<long, 3> key(const Point& p) { return {std::lround(p[0] * 1e6), std::lround(p[1] * 1e6), std::lround(p[2] * 1e6)}; }
+std::array<long, 3> key(const Point& p) {
+  return {std::lround(p[0] * 1e6), std::lround(p[1] * 1e6), std::lround(p[2] * 1e6)};
+}
 
 /// Point of the half that a point of the whole mirrors, and the signs of its components.
-std::pair<std::size_t, Point> image(const Pair& pair, const std::map<std::array<long, 3>, std::size_t>& in_half, Point p) {
+std::pair<std::size_t, Point> image(const Pair& pair,
+                                    const std::map<std::array<long, 3>, std::size_t>& in_half, Point p) {
   Point sign{1, 1, 1};
   for (const auto& [axis, at] : pair.planes) {
     const double inside = at == 0 ? 1 : -1;
@@ -94,7 +102,8 @@ std::pair<std::size_t, Point> image(const Pair& pair, const std::map<std::array<
 
 void compare_half_and_whole(const Case& c, bool large) {
   const Pair pair(c, large);
-  const auto half = sph::discretize(pair.half, 0, c.options), whole = sph::discretize(pair.whole, 0, c.options);
+  const auto half = sph::discretize(pair.half, 0, c.options),
+             whole = sph::discretize(pair.whole, 0, c.options);
   const auto u = field(pair, *half, 3, 1e-5), v = field(pair, *half, 4, 1.0);
   std::map<std::array<long, 3>, std::size_t> in_half;
   for (std::size_t i = 0; i < half->layout().points; ++i) in_half[key(half->position(i))] = i;
@@ -118,20 +127,28 @@ void compare_half_and_whole(const Case& c, bool large) {
   for (double m : half->mass()) mass += m;
   for (double m : whole->mass()) all_mass += m;
   for (std::size_t i = 0; i < F.size(); ++i) scale = std::max(scale, std::abs(F[i]));
-  const double parts = std::pow(2.0, double(pair.planes.size())), typical = all_mass / double(whole->layout().points);
+  const double parts = std::pow(2.0, double(pair.planes.size())),
+               typical = all_mass / double(whole->layout().points);
   EXPECT_NEAR(mass * parts, all_mass, 1e-12 * all_mass) << c.name;
   for (std::size_t i = 0; i < whole->layout().points; ++i) {
     const auto [j, sign] = image(pair, in_half, whole->position(i));
     for (int a = 0; a < dim; ++a) {
-      const bool held = std::any_of(pair.planes.begin(), pair.planes.end(),
-                                    [&, axis = a, k = j](const auto& p) { return p.first == axis && std::abs(half->position(k)[axis] - p.second) < 1e-9; });
+      const bool held = std::any_of(
+          pair.planes.begin(), pair.planes.end(), [&, axis = a, k = j](const auto& p) {
+            return p.first == axis && std::abs(half->position(k)[axis] - p.second) < 1e-9;
+          });
       if (held) continue;
-      ASSERT_NEAR(F[whole->layout().at(i, a)] / whole->mass()[i], sign[a] * f[half->layout().at(j, a)] / half->mass()[j], 1e-11 * scale / typical)
+      ASSERT_NEAR(F[whole->layout().at(i, a)] / whole->mass()[i],
+                  sign[a] * f[half->layout().at(j, a)] / half->mass()[j], 1e-11 * scale / typical)
           << c.name << " point " << i << " component " << a;
     }
   }
-  EXPECT_NEAR(parts * half->energies(u.data()).strain, whole->energies(U.data()).strain, 1e-12 * whole->energies(U.data()).strain) << c.name;
-  EXPECT_NEAR(parts * half->energies(u.data()).hourglass, whole->energies(U.data()).hourglass, 1e-12 * whole->energies(U.data()).strain) << c.name;
+  EXPECT_NEAR(parts * half->energies(u.data()).strain, whole->energies(U.data()).strain,
+              1e-12 * whole->energies(U.data()).strain)
+      << c.name;
+  EXPECT_NEAR(parts * half->energies(u.data()).hourglass, whole->energies(U.data()).hourglass,
+              1e-12 * whole->energies(U.data()).strain)
+      << c.name;
 }
 
 TEST(SphSymmetry, HalfEqualsWhole) {
@@ -143,7 +160,8 @@ TEST(SphSymmetry, HalfEqualsWholeWithFiniteRotation) {
     if (c.options.formulation == sph::Formulation::corrected) compare_half_and_whole(c, true);
 }
 
-// The stiffness that bounds the step is the derivative of the force at rest, bars and mirrored particles included.
+// The stiffness that bounds the step is the derivative of the force at rest, bars and mirrored particles
+// included.
 TEST(SphSymmetry, StiffnessIsTheForceOfALinearBody) {
   for (const Case& c : cases()) {
     if (c.options.viscosity.on()) continue;
@@ -154,11 +172,14 @@ TEST(SphSymmetry, StiffnessIsTheForceOfALinearBody) {
     AlignedVector<double> y(u.size(), 0.0);
     d->stiffness(u.data(), y.data());
     for (std::size_t i = 0; i < f.size(); ++i) ASSERT_NEAR(y[i], -f[i], 1e-13 * largest(f)) << c.name;
-    EXPECT_NEAR(0.5 * dot(u, y), d->energies(u.data()).strain + d->energies(u.data()).hourglass, 1e-11 * dot(u, y)) << c.name;
+    EXPECT_NEAR(
+        0.5 * dot(u, y), d->energies(u.data()).strain + d->energies(u.data()).hourglass, 1e-11 * dot(u, y))
+        << c.name;
   }
 }
 
-// With finite rotation the force is still the derivative of the energy: central differences, error of order step^2.
+// With finite rotation the force is still the derivative of the energy: central differences, error of order
+// step^2.
 TEST(SphSymmetry, ForceOfBarsIsTheDerivativeOfTheirEnergy) {
   for (Case c : cases()) {
     if (c.options.formulation != sph::Formulation::corrected || c.options.force_lists) continue;
@@ -169,8 +190,11 @@ TEST(SphSymmetry, ForceOfBarsIsTheDerivativeOfTheirEnergy) {
     AlignedVector<double> right = u, left = u;
     const double step = 1e-4;
     for (std::size_t i = 0; i < u.size(); ++i) right[i] += step * w[i], left[i] -= step * w[i];
-    const double derivative = (d->energies(right.data()).strain - d->energies(left.data()).strain) / (2 * step);
-    EXPECT_NEAR(derivative, -dot(force(*d, u), w), 1e-6 * std::abs(derivative) + 1e-9 * d->energies(u.data()).strain) << c.name;
+    const double derivative = (d->energies(right.data()).strain - d->energies(left.data()).strain) /
+                              (2 * step);
+    EXPECT_NEAR(
+        derivative, -dot(force(*d, u), w), 1e-6 * std::abs(derivative) + 1e-9 * d->energies(u.data()).strain)
+        << c.name;
   }
 }
 
@@ -180,7 +204,9 @@ TEST(SphSymmetry, WhatCannotBeMirroredIsRefused) {
   pair.half.bars.clear();
   pair.half.bodies[0].shape = std::make_shared<Box>(2, Point{}, Point{0.01, 0.1, 0});
   EXPECT_THROW(sph::discretize(pair.half, 0, corrected(0.01)), std::runtime_error);
-  EXPECT_THROW(sph::discretize(pair.half, 0, classic(0.01, sph::MassRule::share, sph::Boundary::virtual_particles)), std::runtime_error);
+  EXPECT_THROW(
+      sph::discretize(pair.half, 0, classic(0.01, sph::MassRule::share, sph::Boundary::virtual_particles)),
+      std::runtime_error);
 }
 
 }  // namespace

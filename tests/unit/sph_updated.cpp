@@ -1,20 +1,21 @@
-// Classic SPH on updated neighbours: the packed passes against loops over all pairs, the lists against a search of all pairs, and what
-// must hold however wildly particles move.
+// Classic SPH on updated neighbours: the packed passes against loops over all pairs, the lists against a
+// search of all pairs, and what must hold however wildly particles move.
 
 #include <gtest/gtest.h>
 
 #include <limits>
 
 #include "model/material/point.hpp"
-#include "sph/particles/cell_list.hpp"
-#include "sph/operators/moving_neighbours.hpp"
 #include "sph/formulations/stretch_point.hpp"
+#include "sph/operators/moving_neighbours.hpp"
+#include "sph/particles/cell_list.hpp"
 #include "sph_support.hpp"
 
 namespace femsph::test {
 namespace {
 
-constexpr double infinite = std::numeric_limits<double>::infinity(), nan = std::numeric_limits<double>::quiet_NaN();
+constexpr double infinite = std::numeric_limits<double>::infinity(),
+                 nan = std::numeric_limits<double>::quiet_NaN();
 
 /// The formulas of sph/formulations/updated_lagrangian.hpp, one pair after the other, with general matrices.
 template <int dim, class LawType>
@@ -53,12 +54,14 @@ struct PlainUpdated {
           for (int l = 0; l < dim; ++l) next[i][j] += 0.5 * power[i][l] * W[l][j];
       power = next;
       for (int i = 0; i < dim; ++i)
-        for (int j = 0; j < dim; ++j) sum[i][j] += power[i][j] * 2;  // (I + A)(I - A)^-1 = I + 2 A + 2 A^2 + ..
+        for (int j = 0; j < dim; ++j)
+          sum[i][j] += power[i][j] * 2;  // (I + A)(I - A)^-1 = I + 2 A + 2 A^2 + ..
     }
     return sum;
   }
 
-  void step(const AlignedVector<double>& u, const AlignedVector<double>& v, double dt, AlignedVector<double>& f, AlignedVector<double>& g) {
+  void step(const AlignedVector<double>& u, const AlignedVector<double>& v, double dt,
+            AlignedVector<double>& f, AlignedVector<double>& g) {
     const std::size_t count = volume.size();
     if (dt > 0) {
       std::vector<double> grown = volume;
@@ -80,7 +83,8 @@ struct PlainUpdated {
         double growth = 0;
         for (int r = 0; r < dim; ++r) {
           growth += L[r][r];
-          for (int c = 0; c < dim; ++c) W[r][c] = 0.5 * (L[r][c] - L[c][r]), D(r, c) = 0.5 * (L[r][c] + L[c][r]);
+          for (int c = 0; c < dim; ++c)
+            W[r][c] = 0.5 * (L[r][c] - L[c][r]), D(r, c) = 0.5 * (L[r][c] + L[c][r]);
         }
         const Matrix Q = turn(W);
         for (int r = 0; r < dim; ++r)
@@ -108,9 +112,12 @@ struct PlainUpdated {
         if (j == i) continue;
         const Point a = at(u, i), b = at(u, j);
         double x[dim], dv[dim];
-        for (int c = 0; c < dim; ++c) x[c] = b[std::size_t(c)] - a[std::size_t(c)], dv[c] = v[d.layout().at(j, c)] - v[d.layout().at(i, c)];
+        for (int c = 0; c < dim; ++c)
+          x[c] = b[std::size_t(c)] - a[std::size_t(c)],
+          dv[c] = v[d.layout().at(j, c)] - v[d.layout().at(i, c)];
         const double s = volume[i] * volume[j] * thickness * kernel.steepness(std::sqrt(inner(x, x)));
-        const double phi = kernel.h() * std::min(inner(dv, x), 0.0) / (inner(x, x) + viscosity.gamma * kernel.h() * kernel.h());
+        const double phi = kernel.h() * std::min(inner(dv, x), 0.0) /
+                           (inner(x, x) + viscosity.gamma * kernel.h() * kernel.h());
         for (int r = 0; r < dim; ++r) {
           for (int c = 0; c < dim; ++c) force[r] += (stress[i](r, c) + stress[j](r, c)) * s * x[c];
           drag[r] += density * (viscosity.alpha * law.wave_speed() - viscosity.beta * phi) * phi * s * x[r];
@@ -127,7 +134,9 @@ AlignedVector<double> swirl(const Discretization& d, double t) {
   for (std::size_t i = 0; i < d.layout().points; ++i) {
     const Point X = d.position(i);
     for (int c = 0; c < d.layout().dim; ++c)
-      u[d.layout().at(i, c)] = 0.03 * t * std::sin(25 * X[std::size_t(c + 1) % std::size_t(d.layout().dim)] + c) + 0.2 * t * (c == 0);
+      u[d.layout().at(i, c)] = 0.03 * t *
+                                   std::sin(25 * X[std::size_t(c + 1) % std::size_t(d.layout().dim)] + c) +
+                               0.2 * t * (c == 0);
   }
   return u;
 }
@@ -149,8 +158,14 @@ void compare_with_plain(Plane plane, bool plastic, sph::KernelKind kind, double 
   options.viscosity = {1.5, 2, 0.01};
   const auto moving = sph::discretize(scene, 0, options);
   const double thickness = scene.bodies[0].thickness;
-  PlainUpdated<dim, LawType> plain{*moving, std::get<LawType>(scene.materials.at("steel").law(plane)), sph::Kernel(kind, dim, smoothing * moving->spacing()), options.viscosity,
-                                   thickness, 7850, {}};
+  PlainUpdated<dim, LawType> plain{
+      *moving,
+      std::get<LawType>(scene.materials.at("steel").law(plane)),
+      sph::Kernel(kind, dim, smoothing * moving->spacing()),
+      options.viscosity,
+      thickness,
+      7850,
+      {}};
   for (double m : moving->mass()) plain.volume.push_back(m / 7850 / thickness);
   plain.stress.resize(plain.volume.size());
   plain.history.resize(plain.volume.size());
@@ -170,7 +185,8 @@ void compare_with_plain(Plane plane, bool plastic, sph::KernelKind kind, double 
   EXPECT_GT(largest(F), 0);
   EXPECT_GT(largest(G), 0);
   EXPECT_NE(plain.work, 0);
-  EXPECT_NEAR(plastic ? moving->energies(nullptr).plastic : moving->energies(nullptr).strain, plain.work, 1e-12 * std::abs(plain.work));
+  EXPECT_NEAR(plastic ? moving->energies(nullptr).plastic : moving->energies(nullptr).strain, plain.work,
+              1e-12 * std::abs(plain.work));
   double sum = 0, size = 0;
   for (double x : f) sum += x, size += std::abs(x);
   EXPECT_LT(std::abs(sum), 1e-14 * size);  // pairs are equal and opposite
@@ -213,7 +229,8 @@ TEST(UpdatedLagrangian, DoesNotDependOnTheThreads) {
 
 /// M N^-1 of 2 x 2 or 3 x 3 matrices, by Cramer's rule.
 template <int dim>
-Tensor<double, dim> over(const Tensor<double, dim>& M, const Tensor<double, dim>& N, double* determinant = nullptr) {
+Tensor<double, dim> over(const Tensor<double, dim>& M, const Tensor<double, dim>& N,
+                         double* determinant = nullptr) {
   double n[3][3] = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}, inverse[3][3];
   for (int i = 0; i < dim; ++i)
     for (int j = 0; j < dim; ++j) n[i][j] = N[i][j];
@@ -236,7 +253,8 @@ Tensor<double, dim> over(const Tensor<double, dim>& M, const Tensor<double, dim>
 template <int dim>
 Tensor<double, dim> deformation(double t) {
   const double angle = 5 * std::acos(-1.0) * t, c = std::cos(angle), s = std::sin(angle);
-  const double R[3][3] = {{c, -s, 0}, {s, c, 0}, {0, 0, 1}}, U[3][3] = {{1 + 0.8 * t, 0.5 * t, 0.2 * t}, {0, 1 - 0.4 * t, 0.3 * t}, {0, 0, 1 + 0.5 * t}};
+  const double R[3][3] = {{c, -s, 0}, {s, c, 0}, {0, 0, 1}},
+               U[3][3] = {{1 + 0.8 * t, 0.5 * t, 0.2 * t}, {0, 1 - 0.4 * t, 0.3 * t}, {0, 0, 1 + 0.5 * t}};
   Tensor<double, dim> F{};
   for (int i = 0; i < dim; ++i)
     for (int j = 0; j < dim; ++j)
@@ -244,8 +262,9 @@ Tensor<double, dim> deformation(double t) {
   return F;
 }
 
-// The gradient at the middle of a step, L = 2 (F1 - F0)(F1 + F0)^-1, carries F0 to F1 exactly, so after forty steps the stress is that of
-// F alone: sigma = (mu (b - 1) + lambda ln J) / J with b = F F^T (Bonet & Wood, eq. 6.29); what was put in is held as volume and energy.
+// The gradient at the middle of a step, L = 2 (F1 - F0)(F1 + F0)^-1, carries F0 to F1 exactly, so after forty
+// steps the stress is that of F alone: sigma = (mu (b - 1) + lambda ln J) / J with b = F F^T (Bonet & Wood,
+// eq. 6.29); what was put in is held as volume and energy.
 template <int dim>
 void carry_stretch() {
   const NeoHookean law = NeoHookean::make(5e6, 0.3, 1000, dim == 3 ? Plane::none : Plane::strain);
@@ -259,7 +278,8 @@ void carry_stretch() {
     if (k == 0) continue;
     Tensor<double, dim> difference, sum;
     for (int i = 0; i < dim; ++i)
-      for (int j = 0; j < dim; ++j) difference[i][j] = 2 * (next[i][j] - before[i][j]), sum[i][j] = next[i][j] + before[i][j];
+      for (int j = 0; j < dim; ++j)
+        difference[i][j] = 2 * (next[i][j] - before[i][j]), sum[i][j] = next[i][j] + before[i][j];
     const Tensor<double, dim> L = over<dim>(difference, sum);
     Tensor<Pack, dim> packed;
     for (int i = 0; i < dim; ++i)
@@ -277,7 +297,8 @@ void carry_stretch() {
       for (int l = 0; l < lanes; ++l) ASSERT_NEAR((State::pull(own)(i, j)[l]), cauchy, 1e-12 * law.base.mu);
     }
   EXPECT_NEAR(volume[3], 0.25 * J, 1e-13);
-  const double energy = 0.25 * (0.5 * law.base.mu * (b_trace - 3 - 2 * std::log(J)) + 0.5 * law.lambda * std::log(J) * std::log(J));
+  const double energy = 0.25 * (0.5 * law.base.mu * (b_trace - 3 - 2 * std::log(J)) +
+                                0.5 * law.lambda * std::log(J) * std::log(J));
   EXPECT_NEAR(State::stored(law, volume, own)[5], energy, 1e-12 * energy);
 }
 
@@ -286,10 +307,12 @@ TEST(UpdatedNeoHookean, KnowsTheStressOfTheWholeStretchThroughAnyTurn) {
   carry_stretch<3>();
 }
 
-// What the forces do on a small step is what the law stores: E1 - E0 = -(f0 + f1)/2 . (u1 - u0) up to the square of the step.
+// What the forces do on a small step is what the law stores: E1 - E0 = -(f0 + f1)/2 . (u1 - u0) up to the
+// square of the step.
 TEST(UpdatedNeoHookean, ForcesAreTheSlopeOfTheEnergy) {
   for (Plane plane : {Plane::stress, Plane::strain, Plane::none}) {
-    Scene scene = box_scene(plane, plane == Plane::none ? Point{0.08, 0.07, 0.06} : Point{0.2, 0.13, 0}, true);
+    Scene scene = box_scene(
+        plane, plane == Plane::none ? Point{0.08, 0.07, 0.06} : Point{0.2, 0.13, 0}, true);
     scene.materials.at("steel").neo_hookean = true;
     const auto d = sph::discretize(scene, 0, classic(0.01, sph::MassRule::share));
     AlignedVector<double> f(d->layout().size, 0.0), f0, u0, v = f;
@@ -368,7 +391,8 @@ TEST(CellList, FindsEveryPairOnceHoweverFarTheyAreScattered) {
         cells.around(points[i], [&](int j) { ++found[std::size_t(j)]; });
         for (std::size_t j = 0; j < points.size(); ++j) {
           double r2 = 0;
-          for (std::size_t a = 0; a < 3; ++a) r2 += (points[j][a] - points[i][a]) * (points[j][a] - points[i][a]);
+          for (std::size_t a = 0; a < 3; ++a)
+            r2 += (points[j][a] - points[i][a]) * (points[j][a] - points[i][a]);
           ASSERT_LE(found[j], 1);
           if (r2 < radius * radius) {
             ASSERT_EQ(found[j], 1) << dim << " " << far << " " << i << " " << j;
@@ -403,7 +427,8 @@ TEST(MovingNeighbours, ListsHoldEveryPairWithinReachUntilTheySearchAgain) {
     lists.each_block([&](std::size_t block, const std::int32_t* index, const std::int32_t* end) {
       for (; index != end; index += lanes)
         for (std::size_t l = 0; l < lanes; ++l)
-          if (block * lanes + l < c.start.size() && index[l] != std::int32_t(block * lanes + l)) listed[block * lanes + l].push_back(index[l]);
+          if (block * lanes + l < c.start.size() && index[l] != std::int32_t(block * lanes + l))
+            listed[block * lanes + l].push_back(index[l]);
     });
     for (std::size_t i = 0; i < c.start.size(); ++i)
       for (std::size_t j = 0; j < c.start.size(); ++j) {
@@ -426,7 +451,8 @@ TEST(MovingNeighbours, ABodyThatMovesAsAWholeKeepsItsLists) {
   Crowd c(10);
   sph::MovingNeighbours lists(c.start, c.layout, 2.4, 0.3);
   for (int step = 0; step < 50; ++step) {
-    for (std::size_t i = 0; i < c.start.size(); ++i) c.u[c.layout.at(i, 0)] = 3.0 * step, c.u[c.layout.at(i, 1)] = 0.05 * std::sin(step + double(i));
+    for (std::size_t i = 0; i < c.start.size(); ++i)
+      c.u[c.layout.at(i, 0)] = 3.0 * step, c.u[c.layout.at(i, 1)] = 0.05 * std::sin(step + double(i));
     lists.update(c.u.data());
   }
   EXPECT_EQ(lists.searches(), 1);
@@ -437,7 +463,8 @@ TEST(MovingNeighbours, NoticesAParticleThatTheOthersHaveLeftAndAHeap) {
   sph::MovingNeighbours lists(c.start, c.layout, 2.4, 0.3);
   lists.update(c.u.data());
   EXPECT_FALSE(lists.loss());
-  c.u[c.layout.at(99, 0)] = 1;  // the corner moves out to (10, 10): of its seven within 2.4 it keeps (8, 9) and (9, 8), at 2.24
+  c.u[c.layout.at(99, 0)] =
+      1;  // the corner moves out to (10, 10): of its seven within 2.4 it keeps (8, 9) and (9, 8), at 2.24
   c.u[c.layout.at(99, 1)] = 1;
   lists.update(c.u.data());
   ASSERT_TRUE(lists.loss());
@@ -480,7 +507,8 @@ TEST(UpdatedLagrangian, TellsOfParticlesItCannotFollow) {
   u[d->layout().at(40, 0)] = 0.5;  // the corner flies off
   const auto loss = go();
   ASSERT_TRUE(loss);
-  EXPECT_NE(loss->what.find("particle 40 has lost its neighbours: 0 of 3 are left"), std::string::npos) << loss->what;
+  EXPECT_NE(loss->what.find("particle 40 has lost its neighbours: 0 of 3 are left"), std::string::npos)
+      << loss->what;
   EXPECT_NEAR(loss->position[0], 0.91, 1e-12);
   for (std::size_t i = 0; i < d->layout().points; ++i)
     for (int c = 0; c < 2; ++c) u[d->layout().at(i, c)] = -d->position(i)[std::size_t(c)];

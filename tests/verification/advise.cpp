@@ -1,8 +1,9 @@
 // `femsph advise`: the advised run has the error that was asked for.
 
+#include "compare/price/advise.hpp"
+
 #include <gmock/gmock.h>
 
-#include "compare/price/advise.hpp"
 #include "support.hpp"
 
 namespace femsph::test {
@@ -19,9 +20,11 @@ Question tip(const std::vector<const char*>& methods) {
   return q;
 }
 
-/// Runs as they are, at a price of 10 ns a unit and step: how far the ladders climb within their budget does not depend on the machine.
+/// Runs as they are, at a price of 10 ns a unit and step: how far the ladders climb within their budget does
+/// not depend on the machine.
 compare::Engine priced_alike() {
-  return {[](const Scene& scene, const compare::Method& method, const compare::Resolution& resolution, const compare::RunOptions& options) {
+  return {[](const Scene& scene, const compare::Method& method, const compare::Resolution& resolution,
+             const compare::RunOptions& options) {
             compare::RunResult r = compare::run_scene(scene, method, resolution, options);
             r.price.total_cpu = 1e-8 * double(r.price.steps) * double(r.price.units);
             return r;
@@ -29,11 +32,13 @@ compare::Engine priced_alike() {
           fem::static_limit};
 }
 
-// The paper's cantilever sinks by 4.7901 mm (elastic limit by FEM of degree 4, which the ladders know nothing of).
+// The paper's cantilever sinks by 4.7901 mm (elastic limit by FEM of degree 4, which the ladders know nothing
+// of).
 TEST(Advise, TheAdvisedRunHasTheErrorThatWasAsked) {
   const Scene scene = cantilever(25e3, settle);
   const double limit = 1e3 * fem::static_limit(scene, {100, 10, 1}, 4).probes.at("tip")[1];
-  for (const auto& methods : {std::vector<const char*>{"fem-full", "fem-sri", "sph-corrected"}, std::vector<const char*>{"sph-corrected", "fem-one-point"}}) {
+  for (const auto& methods : {std::vector<const char*>{"fem-full", "fem-sri", "sph-corrected"},
+                              std::vector<const char*>{"sph-corrected", "fem-one-point"}}) {
     Question q = tip(methods);
     q.error = 2;
     const compare::Engine engine = priced_alike();
@@ -48,7 +53,8 @@ TEST(Advise, TheAdvisedRunHasTheErrorThatWasAsked) {
   }
 }
 
-// Uncorrected SPH approaches a limit of its own; beside one element alone no two limits meet, and that is said instead of an advice.
+// Uncorrected SPH approaches a limit of its own; beside one element alone no two limits meet, and that is
+// said instead of an advice.
 TEST(Advise, ClassicSphDoesNotConfirmAnElement) {
   const Scene scene = cantilever(25e3, settle);
   Question q = tip({"fem-full", "sph-classic-share"});

@@ -1,4 +1,5 @@
-// What a deformed body's highest frequency really is, by the tangent of its forces, beside the bound that the march's step follows.
+// What a deformed body's highest frequency really is, by the tangent of its forces, beside the bound that the
+// march's step follows.
 
 #include <gtest/gtest.h>
 
@@ -20,16 +21,20 @@ struct Deformed {
   Vector u;
 };
 
-/// A block of 4 cells a side, crushed by `crush` along y and sheared, with its points out of place by up to 2 % of a cell.
+/// A block of 4 cells a side, crushed by `crush` along y and sheared, with its points out of place by up to 2
+/// % of a cell.
 Deformed block(const char* method, bool solid, bool neo_hookean, double crush) {
   Deformed d;
   d.scene.plane = solid ? Plane::none : Plane::strain;
   d.scene.large_motion = true;
   Material m{"m", 210e9, 0.3, 7850};
-  if (neo_hookean) m.neo_hookean = true;
-  else m.plasticity = Plasticity{5e9, 0};  // yields at 2 % of strain
+  if (neo_hookean)
+    m.neo_hookean = true;
+  else
+    m.plasticity = Plasticity{5e9, 0};  // yields at 2 % of strain
   d.scene.materials["m"] = m;
-  d.scene.bodies.push_back({"block", std::make_shared<Box>(solid ? 3 : 2, Point{}, Point{0.4, 0.4, solid ? 0.4 : 0.0}), 1, "m"});
+  d.scene.bodies.push_back(
+      {"block", std::make_shared<Box>(solid ? 3 : 2, Point{}, Point{0.4, 0.4, solid ? 0.4 : 0.0}), 1, "m"});
   d.body = discretize(d.scene, 0, method_named(method), {0.1, {}});
   const Layout& at = d.body->layout();
   d.u.assign(at.size, 0.0);
@@ -41,7 +46,8 @@ Deformed block(const char* method, bool solid, bool neo_hookean, double crush) {
     for (int c = 0; c < at.dim; ++c) d.u[at.at(i, c)] = move[c] + noise(engine);
   }
   Vector f(at.size), v(at.size, 0.0), part(at.size);
-  for (int k = 0; k <= 41; ++k) {  // by small steps, for laws that go by them, and at last a little back, below the yield stress
+  for (int k = 0; k <= 41;
+       ++k) {  // by small steps, for laws that go by them, and at last a little back, below the yield stress
     for (std::size_t i = 0; i < at.size; ++i) part[i] = (k <= 40 ? k / 40.0 : 0.995) * d.u[i];
     d.body->internal_force(part.data(), v.data(), k == 0 ? 0.0 : 1e-6, f.data(), nullptr);
   }
@@ -93,8 +99,10 @@ double largest_now(Deformed& d) {
   });
 }
 
-// The bound is one, and not so loose that steps are wasted: the true ratio is at least 60 % of it, that is, the step at least three quarters of
-// what would do. Of particles 55 %: whole cells raise the highest frequency of the undeformed body at its corners, which the bound then multiplies. Elasticity with moduli of the undeformed body (co-rotated linear) does not stiffen: no bound is offered, none is needed.
+// The bound is one, and not so loose that steps are wasted: the true ratio is at least 60 % of it, that is,
+// the step at least three quarters of what would do. Of particles 55 %: whole cells raise the highest
+// frequency of the undeformed body at its corners, which the bound then multiplies. Elasticity with moduli of
+// the undeformed body (co-rotated linear) does not stiffen: no bound is offered, none is needed.
 TEST(Deformed, TheBoundHoldsForEveryMethodAndLaw) {
   for (const bool solid : {false, true})
     for (const char* method : {"fem-full", "fem-one-point", "fem-assumed-strain", "sph-corrected"})
@@ -103,9 +111,12 @@ TEST(Deformed, TheBoundHoldsForEveryMethodAndLaw) {
           Deformed d = block(method, solid, neo_hookean, crush);
           const auto bound = d.body->stiffening(d.u.data());
           ASSERT_TRUE(bound);
-          const double before = largest(*d.body, [&](const Vector& x, Vector& y) { d.body->stiffness(x.data(), y.data()); });
+          const double before = largest(
+              *d.body, [&](const Vector& x, Vector& y) { d.body->stiffness(x.data(), y.data()); });
           const double ratio = largest_now(d) / before;
-          const std::string what = std::string(method) + (solid ? " 3D" : " 2D") + (neo_hookean ? " neo-Hookean" : " plastic") + " crushed by " + std::to_string(crush);
+          const std::string what = std::string(method) + (solid ? " 3D" : " 2D") +
+                                   (neo_hookean ? " neo-Hookean" : " plastic") + " crushed by " +
+                                   std::to_string(crush);
           EXPECT_LE(ratio, 1.001 * bound->ratio) << what;
           EXPECT_GE(ratio, (method[0] == 's' ? 0.55 : 0.6) * bound->ratio) << what;
         }

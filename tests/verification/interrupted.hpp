@@ -64,8 +64,10 @@ inline std::map<std::string, std::string> results(const fs::path& folder) {
   std::string kept;
   bool price = false;
   for (std::string line; std::getline(record, line);) {
-    if (line.starts_with("[")) price = line == "[price]";
-    else if (line.find("[price") != std::string::npos) price = true;
+    if (line.starts_with("["))
+      price = line == "[price]";
+    else if (line.find("[price") != std::string::npos)
+      price = true;
     if (!price && !line.starts_with("command") && !line.starts_with("finished_at")) kept += line + "\n";
   }
   all["record.toml"] = kept;
@@ -93,11 +95,13 @@ class Interrupted : public testing::Test {
   std::string scene_file(const Case& c) {
     const fs::path file = folder / (std::string(c.name) + ".toml");
     const std::string method = std::string(c.name) == "kinetic" ? "kinetic" : "damping";
-    std::ofstream(file) << std::regex_replace(std::regex_replace(c.scene, std::regex("METHOD"), method), std::regex("SOURCE"), FEMSPH_SOURCE_DIR);
+    std::ofstream(file) << std::regex_replace(
+        std::regex_replace(c.scene, std::regex("METHOD"), method), std::regex("SOURCE"), FEMSPH_SOURCE_DIR);
     return file;
   }
   std::string run_of(const Case& c, const std::string& out) {
-    return "run " + scene_file(c) + " --solver " + c.solver + " " + c.options + " --threads 2 --out " + (folder / out).string();
+    return "run " + scene_file(c) + " --solver " + c.solver + " " + c.options + " --threads 2 --out " +
+           (folder / out).string();
   }
   fs::path folder;
 };

@@ -1,6 +1,6 @@
 #pragma once
-// Short runs that between them carry every kind of history, for runs that are interrupted. METHOD stands for the way of settling, SOURCE for the
-// folder of the sources.
+// Short runs that between them carry every kind of history, for runs that are interrupted. METHOD stands for
+// the way of settling, SOURCE for the folder of the sources.
 
 #include <vector>
 

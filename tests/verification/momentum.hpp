@@ -10,7 +10,8 @@ struct Momentum {
   double kinetic = 0;
 };
 
-/// sum m v and sum x x m v: the leap-frog keeps the second with x(n) and v(n - 1/2), as x(n) x v = (x(n-1) + dt v) x v.
+/// sum m v and sum x x m v: the leap-frog keeps the second with x(n) and v(n - 1/2), as x(n) x v = (x(n-1) +
+/// dt v) x v.
 inline Momentum momentum(const March& march) {
   Momentum all;
   const auto add = [&](const Point& x, double m, const Point& v) {
@@ -24,7 +25,8 @@ inline Momentum momentum(const March& march) {
     const Discretization& d = *body.discretization;
     for (std::size_t i = 0; i < d.layout().points; ++i) {
       Point x = d.position(i), v{};
-      for (int c = 0; c < d.layout().dim; ++c) x[c] += body.u[d.layout().at(i, c)], v[c] = body.v[d.layout().at(i, c)];
+      for (int c = 0; c < d.layout().dim; ++c)
+        x[c] += body.u[d.layout().at(i, c)], v[c] = body.v[d.layout().at(i, c)];
       add(x, d.mass()[i], v);
     }
   }

@@ -51,10 +51,12 @@ TEST(Program, EveryBadSceneEndsWithOneMessageAndItsExitCode) {
 TEST(Program, MissingSceneAndWrongOptionsAreExplained) {
   EXPECT_THAT(femsph("check no-such-scene.toml").text, HasSubstr("no-such-scene.toml"));
   EXPECT_EQ(femsph("check no-such-scene.toml").code, 1);
-  EXPECT_THAT(femsph("run " + scene + " --solver fem-ful --spacing '10 mm' --out x").text, HasSubstr("did you mean \"fem-full\"?"));
+  EXPECT_THAT(femsph("run " + scene + " --solver fem-ful --spacing '10 mm' --out x").text,
+              HasSubstr("did you mean \"fem-full\"?"));
   EXPECT_THAT(femsph("run " + scene + " --solver fem --spacing '10 N' --out x").text, HasSubstr("a length"));
   EXPECT_THAT(femsph("run " + scene + " --solver fem --out x").text, HasSubstr("how fine?"));
-  EXPECT_THAT(femsph("run " + scene + " --solver fem --spacing '10 mm' --smoothing 1.2 --out x").text, HasSubstr("an option of SPH"));
+  EXPECT_THAT(femsph("run " + scene + " --solver fem --spacing '10 mm' --smoothing 1.2 --out x").text,
+              HasSubstr("an option of SPH"));
   EXPECT_EQ(femsph("").code, 2);
   EXPECT_EQ(femsph("--version").code, 0);
   EXPECT_THAT(femsph("--version").text, HasSubstr("compiler"));
@@ -65,16 +67,20 @@ TEST(Program, MissingSceneAndWrongOptionsAreExplained) {
 TEST(Program, CheckPrintsWhatFollowsFromTheScene) {
   const Outcome o = femsph("check " + scene + " --solver sph --spacing '10 mm'");
   EXPECT_EQ(o.code, 0) << o.text;
-  for (const char* word : {"1111", "critical step", "memory", "effects on", "effects off"}) EXPECT_THAT(o.text, HasSubstr(word));
+  for (const char* word : {"1111", "critical step", "memory", "effects on", "effects off"})
+    EXPECT_THAT(o.text, HasSubstr(word));
 }
 
 TEST(Program, ARunLeavesHistoriesFieldsAndItsRecord) {
   const Folder out;
   for (const char* solver : {"fem", "sph"}) {
-    const Outcome o = femsph("run " + scene + " --solver " + solver + " --spacing '20 mm' --out " + (out.path / solver).string());
+    const Outcome o = femsph(
+        "run " + scene + " --solver " + solver + " --spacing '20 mm' --out " + (out.path / solver).string());
     ASSERT_EQ(o.code, 0) << o.text;
-    for (const char* file : {"history.csv", "history.h5", "fields.xdmf", "record.toml", "scene.toml"}) EXPECT_TRUE(fs::exists(out.path / solver / file)) << file;
-    for (const auto& entry : fs::recursive_directory_iterator(out.path)) EXPECT_THAT(entry.path().extension().string(), testing::Ne(".part"));
+    for (const char* file : {"history.csv", "history.h5", "fields.xdmf", "record.toml", "scene.toml"})
+      EXPECT_TRUE(fs::exists(out.path / solver / file)) << file;
+    for (const auto& entry : fs::recursive_directory_iterator(out.path))
+      EXPECT_THAT(entry.path().extension().string(), testing::Ne(".part"));
   }
 }
 

@@ -1,5 +1,7 @@
-// Runs of the real program are killed at random moments and taken up again: what they leave must be what an undisturbed run leaves, to the byte.
-//   FEMSPH_KILLS=20 build/release/verification --gtest_filter='Resume.*'     tries as often for every scene and method (else once, by one signal or the other)
+// Runs of the real program are killed at random moments and taken up again: what they leave must be what an
+// undisturbed run leaves, to the byte.
+//   FEMSPH_KILLS=20 build/release/verification --gtest_filter='Resume.*'     tries as often for every scene
+//   and method (else once, by one signal or the other)
 
 #include <random>
 
@@ -24,11 +26,16 @@ TEST_F(Resume, ARunThatWasKilledGoesOnAsIfNothingHadBeen) {
       fs::remove_all(folder / "cut");
       const pid_t child = start(run_of(c, "cut") + " --checkpoint 40", folder / "log");
       int status = 0;
-      while (!fs::exists(folder / "cut/checkpoint.h5") && waitpid(child, &status, WNOHANG) == 0) std::this_thread::sleep_for(std::chrono::milliseconds(1));
-      std::this_thread::sleep_for(std::chrono::microseconds(std::uniform_int_distribution<int>(0, 150000)(random)));
+      while (!fs::exists(folder / "cut/checkpoint.h5") && waitpid(child, &status, WNOHANG) == 0)
+        std::this_thread::sleep_for(std::chrono::milliseconds(1));
+      std::this_thread::sleep_for(
+          std::chrono::microseconds(std::uniform_int_distribution<int>(0, 150000)(random)));
       kill(child, signal);
       const int code = wait_for(child);
-      if (code == 0 || (code == -signal && !fs::exists(folder / "cut/checkpoint.h5"))) {  // it was faster: all is written, and the checkpoint gone
+      if (code == 0 ||
+          (code == -signal &&
+           !fs::exists(
+               folder / "cut/checkpoint.h5"))) {  // it was faster: all is written, and the checkpoint gone
         ++early;
         expect_equal(folder / "whole", folder / "cut");
         continue;
@@ -38,8 +45,10 @@ TEST_F(Resume, ARunThatWasKilledGoesOnAsIfNothingHadBeen) {
         EXPECT_THAT(read(folder / "log"), HasSubstr("interrupted at step"));
       }
       ASSERT_TRUE(fs::exists(folder / "cut/checkpoint.h5"));
-      ASSERT_EQ(run("resume " + (folder / "cut").string() + " --threads 1", folder / "log"), 0) << read(folder / "log");
-      for (const auto& entry : fs::recursive_directory_iterator(folder / "cut"))  // what a SIGKILL in mid-write leaves
+      ASSERT_EQ(run("resume " + (folder / "cut").string() + " --threads 1", folder / "log"), 0)
+          << read(folder / "log");
+      for (const auto& entry :
+           fs::recursive_directory_iterator(folder / "cut"))  // what a SIGKILL in mid-write leaves
         if (entry.path().extension() == ".part") fs::remove(entry.path());
       expect_equal(folder / "whole", folder / "cut");
       ++taken_up;

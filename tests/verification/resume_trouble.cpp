@@ -1,4 +1,5 @@
-// What goes wrong around a checkpoint: interruptions one after the other, files that are damaged or foreign, a full disk.
+// What goes wrong around a checkpoint: interruptions one after the other, files that are damaged or foreign,
+// a full disk.
 
 #include <sys/resource.h>
 
@@ -60,13 +61,15 @@ TEST_F(ResumeTrouble, DamagedAndForeignCheckpointsAreOneMessage) {
   std::ofstream(file, std::ios::binary) << whole;
   fs::copy_file(FEMSPH_PROGRAM, folder / "other");
   std::ofstream(folder / "other", std::ios::binary | std::ios::app) << '\0';
-  const std::string other = (folder / "other").string() + " " + resume, log = " > " + (folder / "log").string() + " 2>&1";
+  const std::string other = (folder / "other").string() + " " + resume,
+                    log = " > " + (folder / "log").string() + " 2>&1";
   EXPECT_EQ(WEXITSTATUS(std::system((other + log).c_str())), 1);
   EXPECT_THAT(read(folder / "log"), HasSubstr("was written by femsph"));
   EXPECT_EQ(WEXITSTATUS(std::system((other + " --any-program" + log).c_str())), 0) << read(folder / "log");
 }
 
-/// A disk that is full when a later checkpoint is written: the one before stays whole, and the run goes on from it.
+/// A disk that is full when a later checkpoint is written: the one before stays whole, and the run goes on
+/// from it.
 TEST_F(ResumeTrouble, AFullDiskLosesNothing) {
   const Case& c = cases()[4];
   ASSERT_EQ(run(run_of(c, "whole"), folder / "log"), 0);

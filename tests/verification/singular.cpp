@@ -1,5 +1,8 @@
-// What the warnings about singular places claim, measured: under a force on a point the displacement of the elastic body gains the same with
-// every halving of the cells (in a plane) or twice as much each time (in space), and what is read away from it converges.
+// What the warnings about singular places claim, measured: under a force on a point the displacement of the
+// elastic body gains the same with every halving of the cells (in a plane) or twice as much each time (in
+// space), and what is read away from it converges.
+
+#include "model/scene/singular.hpp"
 
 #include <gmock/gmock.h>
 
@@ -9,7 +12,6 @@
 #include "compare/study/study_limits.hpp"
 #include "fem/fem.hpp"
 #include "model/scene/reader/reader.hpp"
-#include "model/scene/singular.hpp"
 
 namespace femsph {
 namespace {
@@ -21,14 +23,17 @@ Scene block(int dim) {
   Scene scene;
   scene.plane = dim == 2 ? Plane::stress : Plane::none;
   scene.materials["steel"] = {"steel", 2.1e11, 0.3, 7850};
-  scene.bodies.push_back({"block", std::make_shared<Box>(dim, Point{0, 0, 0}, Point{0.1, 0.1, dim == 3 ? 0.1 : 0}), 0.05, "steel"});
+  scene.bodies.push_back(
+      {"block", std::make_shared<Box>(dim, Point{0, 0, 0}, Point{0.1, 0.1, dim == 3 ? 0.1 : 0}), 0.05,
+       "steel"});
   scene.supports.push_back({Place{0, {dim == 2 ? "x-" : "z-"}, {}, {}}, {true, true, dim == 3}});
   scene.settling.emplace();
   return scene;
 }
 
 /// Changes of a probe's component along the force over two halvings of the cells.
-std::array<double, 2> changes(const Scene& scene, const char* probe, int component, std::array<int, 3> cells, int degree) {
+std::array<double, 2> changes(const Scene& scene, const char* probe, int component, std::array<int, 3> cells,
+                              int degree) {
   std::array<double, 3> u;
   for (double& value : u) {
     value = fem::static_limit(scene, cells, degree).probes.at(probe)[component];
@@ -91,7 +96,8 @@ TEST(SingularForce, AStudyComparesWithNoLimitUnderIt) {
   EXPECT_THAT(compare::doubt_of(quantity, scene, known), HasSubstr("a force on a point"));
   Scene unaware = scene;  // the numbers alone tell as much
   unaware.loads.clear();
-  EXPECT_THAT(compare::doubt_of(quantity, unaware, known), HasSubstr("which does not fall as it would on the way to a limit"));
+  EXPECT_THAT(compare::doubt_of(quantity, unaware, known),
+              HasSubstr("which does not fall as it would on the way to a limit"));
   quantity.observed.probe = "beside";
   EXPECT_THAT(compare::doubt_of(quantity, scene, known), IsEmpty());
 }
@@ -103,15 +109,19 @@ TEST(TwoBodies, SpacingAndCellsAreThoseOfTheCoarsest) {
     scene.settling.reset();
     scene.duration = 1e-6, scene.samples = 1, scene.snapshots = 0;
     scene.bodies[0].shape = std::make_shared<Box>(2, Point{0, 0, 0}, Point{0.1, 0.1, 0});
-    scene.bodies.push_back({"low", std::make_shared<Box>(2, Point{0.2, 0, 0}, Point{0.1, 0.035, 0}), 0.05, "steel"});
+    scene.bodies.push_back(
+        {"low", std::make_shared<Box>(2, Point{0.2, 0, 0}, Point{0.1, 0.035, 0}), 0.05, "steel"});
     scene.loads.push_back({Place{1, {"x+"}, {}, {}}, {1, 0, 0}, {}});
-    if (swapped) std::swap(scene.bodies[0], scene.bodies[1]), scene.supports[0].place.body = 1, scene.loads[0].place.body = 0;
+    if (swapped)
+      std::swap(scene.bodies[0], scene.bodies[1]),
+          scene.supports[0].place.body = 1, scene.loads[0].place.body = 0;
     compare::RunOptions options;
     options.scalars.insert("surface_weight_loss");
     const auto fem = compare::run_scene(scene, compare::method_named("fem-full"), {0.01, {}}, {});
     EXPECT_NEAR(fem.spacing, 0.01, 1e-12);  // 10 cells of 10 mm; 4 of 8.75 mm
     EXPECT_EQ(fem.cells_over_height, 10);
-    const auto sph = compare::run_scene(scene, compare::method_named("sph-classic-share"), {0.01, {}}, options);
+    const auto sph = compare::run_scene(
+        scene, compare::method_named("sph-classic-share"), {0.01, {}}, options);
     EXPECT_NEAR(sph.scalars.at("surface_weight_loss"), 0.30, 0.15);
     static double first = sph.scalars.at("surface_weight_loss");
     EXPECT_EQ(sph.scalars.at("surface_weight_loss"), first);

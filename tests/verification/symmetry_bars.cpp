@@ -1,4 +1,5 @@
-// Symmetry planes, supports that may turn, and bars, by both solvers against beam theory and against whole models.
+// Symmetry planes, supports that may turn, and bars, by both solvers against beam theory and against whole
+// models.
 
 #include <gtest/gtest.h>
 
@@ -37,12 +38,15 @@ shape = "box"
 {}
 material = "concrete"
 {}
-{})", b.plane, b.young, b.poisson, b.rebar, b.size, b.parts, end), "beam.toml");
+{})",
+                                 b.plane, b.young, b.poisson, b.rebar, b.size, b.parts, end),
+                     "beam.toml");
 }
 
 /// A march whose end state a test looks into.
 struct Marched {
-  Marched(const Scene& s, const std::string& method, double spacing_mm, std::optional<double> step = {}) : scene(s) {
+  Marched(const Scene& s, const std::string& method, double spacing_mm, std::optional<double> step = {})
+      : scene(s) {
     std::vector<std::unique_ptr<Discretization>> bodies;
     bodies.push_back(compare::discretize(scene, 0, compare::method_named(method), {spacing_mm * 1e-3, {}}));
     MarchOptions options;
@@ -72,55 +76,79 @@ std::string probe(const char* name, const char* quantity, const std::string& poi
   return fmt::format("[[probes]]\nname = \"{}\"\nquantity = \"{}\"\npoint = [{}]\n", name, quantity, point);
 }
 
-// Impact-like load on a simply supported beam with a bar: the half model's midspan and end move as the whole's, at the same step.
-// Both add the same numbers in different orders: round-off, which the motion amplifies by the number of steps at most.
+// Impact-like load on a simply supported beam with a bar: the half model's midspan and end move as the
+// whole's, at the same step. Both add the same numbers in different orders: round-off, which the motion
+// amplifies by the number of steps at most.
 TEST(Symmetry, HalfBeamMovesAsTheWhole) {
   const auto beam = [](bool half, double step) {
-    const std::string bar = "[bars.bottom]\nfrom = [\"{} mm\", \"24 mm\"]\nto = [\"200 mm\", \"24 mm\"]\narea = \"500 mm^2\"\nmaterial = \"rebar\"\n";
-    const std::string support = "[[supports]]\nat = \"y-\"\nwithin = [[\"{} mm\", \"0 mm\"], [\"{} mm\", \"0 mm\"]]\nfix = [\"y\"]\nmode = \"mean\"\n";
-    const std::string load = "[[loads]]\nat = \"y+\"\nwithin = [[\"{} mm\", \"80 mm\"], [\"40 mm\", \"80 mm\"]]\nforce = [\"0 N\", \"-{} kN\"]\n";
+    const std::string bar =
+        "[bars.bottom]\nfrom = [\"{} mm\", \"24 mm\"]\nto = [\"200 mm\", \"24 mm\"]\narea = \"500 "
+        "mm^2\"\nmaterial = \"rebar\"\n";
+    const std::string support =
+        "[[supports]]\nat = \"y-\"\nwithin = [[\"{} mm\", \"0 mm\"], [\"{} mm\", \"0 mm\"]]\nfix = "
+        "[\"y\"]\nmode = \"mean\"\n";
+    const std::string load =
+        "[[loads]]\nat = \"y+\"\nwithin = [[\"{} mm\", \"80 mm\"], [\"40 mm\", \"80 mm\"]]\nforce = [\"0 "
+        "N\", \"-{} kN\"]\n";
     Beam b;
     b.poisson = "0.2";
-    b.size = fmt::format("size = [\"{} mm\", \"80 mm\"]\norigin = [\"{} mm\", \"0 mm\"]\nthickness = \"100 mm\"", half ? 200 : 400, half ? 0 : -200);
-    b.parts = fmt::format(fmt::runtime(bar), half ? 0 : -200) + fmt::format(fmt::runtime(support), 140, 180) + fmt::format(fmt::runtime(load), half ? 0 : -40, half ? 10 : 20);
+    b.size = fmt::format(
+        "size = [\"{} mm\", \"80 mm\"]\norigin = [\"{} mm\", \"0 mm\"]\nthickness = \"100 mm\"",
+        half ? 200 : 400, half ? 0 : -200);
+    b.parts = fmt::format(fmt::runtime(bar), half ? 0 : -200) + fmt::format(fmt::runtime(support), 140, 180) +
+              fmt::format(fmt::runtime(load), half ? 0 : -40, half ? 10 : 20);
     b.parts += half ? "[[symmetry]]\nat = \"x-\"\n" : fmt::format(fmt::runtime(support), -180, -140);
-    b.parts += probe("mid", "displacement", "\"0 mm\", \"0 mm\"") + probe("end", "displacement", "\"200 mm\", \"80 mm\"") +
-               probe("stress", "stress", "\"0 mm\", \"40 mm\"") + "reading = \"raw\"\n";  // the particle's own: the rule's patch ends at the plane
+    b.parts += probe("mid", "displacement", "\"0 mm\", \"0 mm\"") +
+               probe("end", "displacement", "\"200 mm\", \"80 mm\"") +
+               probe("stress", "stress", "\"0 mm\", \"40 mm\"") +
+               "reading = \"raw\"\n";  // the particle's own: the rule's patch ends at the plane
     return scene_of(b, fmt::format("[time]\nduration = \"{} s\"\nsamples = 100\n", 400 * step));
   };
-  for (const char* method : {"fem-full", "fem-assumed-strain", "fem-one-point", "sph-classic-share", "sph-classic-full", "sph-classic-trapezoid",
-                             "sph-weight", "sph-corrected"}) {
+  for (const char* method : {"fem-full", "fem-assumed-strain", "fem-one-point", "sph-classic-share",
+                             "sph-classic-full", "sph-classic-trapezoid", "sph-weight", "sph-corrected"}) {
     const double step = 8e-7;
     const Marched half(beam(true, step), method, 10, step), whole(beam(false, step), method, 10, step);
     const auto &h = half.recorder->history(), &w = whole.recorder->history();
     for (const char* column : {"mid_y", "end_x", "end_y", "stress_xx"}) {
-      if (std::string(method).starts_with("fem") && column[0] == 's') continue;  // read from the cells of one side
+      if (std::string(method).starts_with("fem") && column[0] == 's')
+        continue;  // read from the cells of one side
       const auto &a = h[column].values, &b = w[column].values;
       ASSERT_EQ(a.size(), b.size());
       double peak = 0, apart = 0;
-      for (std::size_t k = 0; k < a.size(); ++k) peak = std::max(peak, std::abs(b[k])), apart = std::max(apart, std::abs(a[k] - b[k]));
+      for (std::size_t k = 0; k < a.size(); ++k)
+        peak = std::max(peak, std::abs(b[k])), apart = std::max(apart, std::abs(a[k] - b[k]));
       EXPECT_LT(apart, 1e-9 * peak) << method << " " << column;
       EXPECT_GT(peak, 0);
     }
-    EXPECT_NEAR(2 * half.march->ledger().kinetic, whole.march->ledger().kinetic, 1e-8 * whole.march->ledger().external) << method;
-    EXPECT_NEAR(half.march->critical_step(), whole.march->critical_step(), 0.02 * whole.march->critical_step()) << method;
+    EXPECT_NEAR(2 * half.march->ledger().kinetic, whole.march->ledger().kinetic,
+                1e-8 * whole.march->ledger().external)
+        << method;
+    EXPECT_NEAR(
+        half.march->critical_step(), whole.march->critical_step(), 0.02 * whole.march->critical_step())
+        << method;
     EXPECT_LT(half.balance(), 1e-9) << method;
     EXPECT_LT(half.march->force_imbalance(), 1e-11) << method;
   }
 }
 
-/// Half of a simply supported beam, 1000 mm of 2000 mm between supports, 100 mm high and thick; half of the midspan load, F = 1 kN,
-/// comes in over the symmetry plane, the support is the mean of the end face. Probes: deflection, end rotation.
+/// Half of a simply supported beam, 1000 mm of 2000 mm between supports, 100 mm high and thick; half of the
+/// midspan load, F = 1 kN, comes in over the symmetry plane, the support is the mean of the end face. Probes:
+/// deflection, end rotation.
 Beam half_span(const std::string& more) {
   Beam b;
   b.size = "size = [\"1000 mm\", \"100 mm\"]\norigin = [\"0 mm\", \"-50 mm\"]\nthickness = \"100 mm\"";
-  b.parts = "[[symmetry]]\nat = \"x-\"\n[[supports]]\nat = \"x+\"\nfix = [\"y\"]\nmode = \"mean\"\n[[loads]]\nat = \"x-\"\nforce = [\"0 N\", \"-1 kN\"]\n" + more +
-            probe("mid", "displacement", "\"0 mm\", \"0 mm\"") + probe("top", "displacement", "\"1000 mm\", \"50 mm\"") +
-            probe("bottom", "displacement", "\"1000 mm\", \"-50 mm\"") + probe("axis", "displacement", "\"1000 mm\", \"0 mm\"");
+  b.parts =
+      "[[symmetry]]\nat = \"x-\"\n[[supports]]\nat = \"x+\"\nfix = [\"y\"]\nmode = \"mean\"\n[[loads]]\nat = "
+      "\"x-\"\nforce = [\"0 N\", \"-1 kN\"]\n" +
+      more + probe("mid", "displacement", "\"0 mm\", \"0 mm\"") +
+      probe("top", "displacement", "\"1000 mm\", \"50 mm\"") +
+      probe("bottom", "displacement", "\"1000 mm\", \"-50 mm\"") +
+      probe("axis", "displacement", "\"1000 mm\", \"0 mm\"");
   return b;
 }
 
-// Simply supported, central load 2 F on a span 2 L: deflection F L^3 / (3 E I) + F L / (5/6 G A), rotation F L^2 / (2 E I) at the end.
+// Simply supported, central load 2 F on a span 2 L: deflection F L^3 / (3 E I) + F L / (5/6 G A), rotation F
+// L^2 / (2 E I) at the end.
 TEST(MeanSupport, TurnsFreelyAndHoldsItsMean) {
   const double E = 25e9, I = 0.1 * 1e-3 / 12, A = 0.01, F = 1e3;
   const double deflection = F / (3 * E * I) + F / (5.0 / 6 * E / 2 * A), rotation = F / (2 * E * I);
@@ -138,27 +166,32 @@ TEST(MeanSupport, TurnsFreelyAndHoldsItsMean) {
     }
     EXPECT_LT(std::abs(mean), 1e-11 * deflection) << method;
     EXPECT_GT(largest, 1e-6 * deflection) << method;
-    const double reaction = std::accumulate(r.march->bodies()[0].means.begin(), r.march->bodies()[0].means.end(), 0.0,
-                                            [](double sum, const auto& hold) { return sum + hold.reaction; });
+    const double reaction = std::accumulate(
+        r.march->bodies()[0].means.begin(), r.march->bodies()[0].means.end(), 0.0,
+        [](double sum, const auto& hold) { return sum + hold.reaction; });
     EXPECT_NEAR(reaction, F, 1e-3 * F) << method;
   }
 }
 
-// Tension F on a bar of concrete with steel in its middle row. Far from the ends the strain is F / (E A + E_b A_b), the stresses are
-// in the ratio of the moduli, and the forces in a section sum to F.
+// Tension F on a bar of concrete with steel in its middle row. Far from the ends the strain is F / (E A + E_b
+// A_b), the stresses are in the ratio of the moduli, and the forces in a section sum to F.
 TEST(Bars, ShareTensionByTheirModuli) {
   Beam b;
   b.size = "size = [\"600 mm\", \"100 mm\"]\norigin = [\"0 mm\", \"-50 mm\"]\nthickness = \"100 mm\"";
-  b.parts = "[[symmetry]]\nat = \"x-\"\n[[supports]]\npoint = [\"0 mm\", \"0 mm\"]\nfix = [\"y\"]\n[[loads]]\nat = \"x+\"\nforce = [\"100 kN\", \"0 N\"]\n"
-            "[bars.middle]\nfrom = [\"0 mm\", \"0 mm\"]\nto = [\"600 mm\", \"0 mm\"]\narea = \"250 mm^2\"\nmaterial = \"rebar\"\n" +
-            probe("matrix", "stress", "\"100 mm\", \"0 mm\"");
+  b.parts =
+      "[[symmetry]]\nat = \"x-\"\n[[supports]]\npoint = [\"0 mm\", \"0 mm\"]\nfix = [\"y\"]\n[[loads]]\nat = "
+      "\"x+\"\nforce = [\"100 kN\", \"0 N\"]\n"
+      "[bars.middle]\nfrom = [\"0 mm\", \"0 mm\"]\nto = [\"600 mm\", \"0 mm\"]\narea = \"250 "
+      "mm^2\"\nmaterial = \"rebar\"\n" +
+      probe("matrix", "stress", "\"100 mm\", \"0 mm\"");
   const double E = 25e9, Eb = 200e9, A = 0.01, Ab = 250e-6, F = 100e3, strain = F / (E * A + Eb * Ab);
   for (const char* method : {"fem-full", "fem-assumed-strain", "sph-corrected", "sph-classic-trapezoid"}) {
     const Marched r(scene_of(b, settle), method, 10);
     const bool exact = std::string(method) != "sph-classic-trapezoid";
     double bar_force = 0, bar_stress = 0, near = 1;
     for (const BarPiece& p : r.bars()) {
-      if (std::abs(p.position[0] - 0.1) < near - 1e-9) near = std::abs(p.position[0] - 0.1), bar_stress = p.stress, bar_force = p.stress * p.area;
+      if (std::abs(p.position[0] - 0.1) < near - 1e-9)
+        near = std::abs(p.position[0] - 0.1), bar_stress = p.stress, bar_force = p.stress * p.area;
     }
     EXPECT_NEAR(error(bar_stress / r.end("matrix_xx"), Eb / E), 0, exact ? 0.2 : 1) << method;
     // The section's mean over the slice 60 mm < x < 140 mm.
@@ -173,22 +206,27 @@ TEST(Bars, ShareTensionByTheirModuli) {
       volume += r.body().material_volume(points[k]);
     }
     const double matrix_force = force / volume * A;
-    fmt::print("{}: strain {:+.3f} %, force balance {:+.3f} %\n", method, error(bar_stress / Eb, strain), error(matrix_force + bar_force, F));
+    fmt::print("{}: strain {:+.3f} %, force balance {:+.3f} %\n", method, error(bar_stress / Eb, strain),
+               error(matrix_force + bar_force, F));
     EXPECT_NEAR(error(bar_stress / Eb, strain), 0, exact ? 0.5 : 12) << method;
     EXPECT_NEAR(error(matrix_force + bar_force, F), 0, exact ? 0.5 : 12) << method;
   }
 }
 
-// Bars at 40 mm below and above the axis, 500 mm^2 each: E I = E b h^3/12 + 2 E_b A_b y^2 (the body keeps its own area). At d = 20 mm
-// they lie between rows and are shared, at 10 and 5 mm they lie on rows.
+// Bars at 40 mm below and above the axis, 500 mm^2 each: E I = E b h^3/12 + 2 E_b A_b y^2 (the body keeps its
+// own area). At d = 20 mm they lie between rows and are shared, at 10 and 5 mm they lie on rows.
 TEST(Bars, BendAsTheTransformedSection) {
   const auto bar = [](const char* name, int y) {
-    return fmt::format("[bars.{}]\nfrom = [\"0 mm\", \"{} mm\"]\nto = [\"1000 mm\", \"{} mm\"]\narea = \"500 mm^2\"\nmaterial = \"rebar\"\n", name, y, y);
+    return fmt::format(
+        "[bars.{}]\nfrom = [\"0 mm\", \"{} mm\"]\nto = [\"1000 mm\", \"{} mm\"]\narea = \"500 "
+        "mm^2\"\nmaterial = \"rebar\"\n",
+        name, y, y);
   };
   const double E = 25e9, Eb = 200e9, A = 0.01, F = 1e3;
   const double both = E * 0.1 * 1e-3 / 12 + 2 * Eb * 500e-6 * 0.04 * 0.04;
   const double EA = E * A + Eb * 500e-6, shift = -0.04 * Eb * 500e-6 / EA;
-  const double one = E * (0.1 * 1e-3 / 12 + A * shift * shift) + Eb * 500e-6 * (0.04 + shift) * (0.04 + shift);
+  const double one = E * (0.1 * 1e-3 / 12 + A * shift * shift) +
+                     Eb * 500e-6 * (0.04 + shift) * (0.04 + shift);
   const auto deflection = [&](double EI) { return F / (3 * EI) + F / (5.0 / 6 * E / 2 * A); };
   for (const std::string method : {"fem-assumed-strain", "sph-corrected"}) {
     std::vector<double> errors;
@@ -208,16 +246,20 @@ TEST(Bars, BendAsTheTransformedSection) {
   }
 }
 
-// A bar that yields at 100 MPa in a soft matrix, pulled slowly (up to the end of a ramp of 20 ms; first period 4 L / c = 0.6 ms): its stress stays at the yield
-// stress, the matrix takes the rest, strain = (F - yield A_b) / (E A).
+// A bar that yields at 100 MPa in a soft matrix, pulled slowly (up to the end of a ramp of 20 ms; first
+// period 4 L / c = 0.6 ms): its stress stays at the yield stress, the matrix takes the rest, strain = (F -
+// yield A_b) / (E A).
 TEST(Bars, YieldAtTheirPlateau) {
   Beam b;
   b.young = "10 GPa";
   b.size = "size = [\"300 mm\", \"50 mm\"]\norigin = [\"0 mm\", \"-25 mm\"]\nthickness = \"100 mm\"";
-  b.parts = "[[symmetry]]\nat = \"x-\"\n[[supports]]\npoint = [\"0 mm\", \"0 mm\"]\nfix = [\"y\"]\n[damping]\nrate = \"5000 1/s\"\n[[loads]]\nat = \"x+\"\n"
-            "force = [\"60 kN\", \"0 N\"]\nhistory = {ramp = \"20 ms\"}\n"
-            "[bars.middle]\nfrom = [\"0 mm\", \"0 mm\"]\nto = [\"300 mm\", \"0 mm\"]\narea = \"250 mm^2\"\nmaterial = \"rebar\"\n" +
-            probe("matrix", "strain", "\"50 mm\", \"0 mm\"");
+  b.parts =
+      "[[symmetry]]\nat = \"x-\"\n[[supports]]\npoint = [\"0 mm\", \"0 mm\"]\nfix = [\"y\"]\n[damping]\nrate "
+      "= \"5000 1/s\"\n[[loads]]\nat = \"x+\"\n"
+      "force = [\"60 kN\", \"0 N\"]\nhistory = {ramp = \"20 ms\"}\n"
+      "[bars.middle]\nfrom = [\"0 mm\", \"0 mm\"]\nto = [\"300 mm\", \"0 mm\"]\narea = \"250 "
+      "mm^2\"\nmaterial = \"rebar\"\n" +
+      probe("matrix", "strain", "\"50 mm\", \"0 mm\"");
   b.rebar = "law = \"plastic\"\nyield = \"100 MPa\"\nhardening = \"0 Pa\"";
   const Scene scene = scene_of(b, "[time]\nduration = \"20 ms\"\nsamples = 100\n");
   const double strain = (60e3 - 100e6 * 250e-6) / (10e9 * 0.005);
@@ -233,10 +275,13 @@ TEST(Bars, YieldAtTheirPlateau) {
   }
 }
 
-// A reinforced half beam thrown against its support: large rotation and yielding bars, and the energy still balances.
+// A reinforced half beam thrown against its support: large rotation and yielding bars, and the energy still
+// balances.
 TEST(Bars, EnergyBalancesInAnImpact) {
-  Beam b = half_span("[bars.bottom]\nfrom = [\"0 mm\", \"-38 mm\"]\nto = [\"950 mm\", \"-38 mm\"]\narea = \"300 mm^2\"\nmaterial = \"rebar\"\n"
-                     "[[initial]]\nbody = \"beam\"\nvelocity = [\"0 m/s\", \"-3 m/s\"]\n");
+  Beam b = half_span(
+      "[bars.bottom]\nfrom = [\"0 mm\", \"-38 mm\"]\nto = [\"950 mm\", \"-38 mm\"]\narea = \"300 "
+      "mm^2\"\nmaterial = \"rebar\"\n"
+      "[[initial]]\nbody = \"beam\"\nvelocity = [\"0 m/s\", \"-3 m/s\"]\n");
   b.rebar = "law = \"plastic\"\nyield = \"100 MPa\"\nhardening = \"2 GPa\"";
   Scene scene = scene_of(b, "[time]\nduration = \"20 ms\"\nsamples = 200\n");
   for (bool large : {false, true})

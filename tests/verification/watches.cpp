@@ -1,9 +1,9 @@
-// Bodies that really go wrong, by every method: the watch that stops them, where, and the last good state on disk. And sizes that do not fit.
-
-#include <gmock/gmock.h>
-#include <gtest/gtest.h>
+// Bodies that really go wrong, by every method: the watch that stops them, where, and the last good state on
+// disk. And sizes that do not fit.
 
 #include <fmt/format.h>
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
 
 #include <filesystem>
 #include <fstream>
@@ -12,8 +12,8 @@
 
 #include "compare/run/capacity.hpp"
 #include "compare/run/run.hpp"
-#include "model/numerics/parallel.hpp"
 #include "model/motion/march.hpp"
+#include "model/numerics/parallel.hpp"
 #include "model/scene/reader/reader.hpp"
 #include "tests/unit/model_results_hdf5.hpp"
 
@@ -51,7 +51,10 @@ force = [{}{}]
 duration = "60 ms"
 samples = 20
 snapshots = 3
-)", plane, solid ? ", \"100 mm\"" : "", solid ? "" : "thickness = \"100 mm\"", solid ? ", \"z\"" : "", at, force, solid ? ", \"0 N\"" : ""), "block.toml");
+)",
+                                 plane, solid ? ", \"100 mm\"" : "", solid ? "" : "thickness = \"100 mm\"",
+                                 solid ? ", \"z\"" : "", at, force, solid ? ", \"0 N\"" : ""),
+                     "block.toml");
 }
 
 struct Folder {
@@ -84,21 +87,32 @@ Stopped stopped(const Scene& scene, const char* method, double spacing, const fs
 
 TEST(Watches, ACornerPushedThroughTurnsUnitsInsideOut) {
   for (const char* plane : {"stress", "none"})
-    for (const char* method : {"fem-full", "fem-sri", "fem-one-point", "fem-assumed-strain", "sph-corrected"}) {
+    for (const char* method :
+         {"fem-full", "fem-sri", "fem-one-point", "fem-assumed-strain", "sph-corrected"}) {
       SCOPED_TRACE(std::string(method) + " " + plane);
       const Folder out;
-      const Stopped stop = stopped(block("x+ y+", *plane == 'n' ? *method == 's' ? "\"-12 kN\", \"-12 kN\"" : "\"-8 kN\", \"-8 kN\"" : "\"-15 kN\", \"-15 kN\"", plane), method, 0.02, out.path);
+      const Stopped stop = stopped(
+          block("x+ y+",
+                *plane == 'n' ? *method == 's' ? "\"-12 kN\", \"-12 kN\"" : "\"-8 kN\", \"-8 kN\""
+                              : "\"-15 kN\", \"-15 kN\"",
+                plane),
+          method, 0.02, out.path);
       EXPECT_EQ(stop.watch, Stopped::Watch::unit) << stop.what();
-      EXPECT_THAT(stop.what(), AllOf(HasSubstr("turned inside out"), HasSubstr("body \"block\", at ("), HasSubstr("try "), HasSubstr("last_good.xdmf")));
+      EXPECT_THAT(stop.what(), AllOf(HasSubstr("turned inside out"), HasSubstr("body \"block\", at ("),
+                                     HasSubstr("try "), HasSubstr("last_good.xdmf")));
       const std::string described = text_of(out.path / "last_good.xdmf");
-      EXPECT_THAT(described, AllOf(HasSubstr("last good state, step "), HasSubstr("fields/last_good.h5:/body0/displacement"), HasSubstr("fields/bodies.h5")));
+      EXPECT_THAT(described,
+                  AllOf(HasSubstr("last good state, step "),
+                        HasSubstr("fields/last_good.h5:/body0/displacement"), HasSubstr("fields/bodies.h5")));
       EXPECT_TRUE(fs::exists(out.path / "fields/last_good.h5"));
       EXPECT_TRUE(fs::exists(out.path / "fields/bodies.h5"));
     }
 }
 
-/// Displacement and velocity of every point as fields hold them, three components a point, of a march that goes to `step` by itself and stops there.
-std::array<std::vector<double>, 2> state_at(const Scene& scene, const char* method, double spacing, long step) {
+/// Displacement and velocity of every point as fields hold them, three components a point, of a march that
+/// goes to `step` by itself and stops there.
+std::array<std::vector<double>, 2> state_at(const Scene& scene, const char* method, double spacing,
+                                            long step) {
   struct Reached {};
   std::vector<std::unique_ptr<Discretization>> bodies;
   bodies.push_back(discretize(scene, 0, method_named(method), {spacing, {}}));
@@ -128,16 +142,20 @@ TEST(Watches, TheLastGoodStateIsThatOfTheStepThatTheMessageNames) {
     for (const char* method : {"fem-full", "fem-assumed-strain", "sph-corrected"}) {
       SCOPED_TRACE(std::string(method) + " " + plane);
       const Folder out;
-      Scene scene = block("x+ y+", *plane == 'n' ? "\"-18 kN\", \"-18 kN\"" : "\"-15 kN\", \"-15 kN\"", plane);
+      Scene scene = block(
+          "x+ y+", *plane == 'n' ? "\"-18 kN\", \"-18 kN\"" : "\"-15 kN\", \"-15 kN\"", plane);
       scene.duration = 0.6;  // slowly, so that more than one look finds all well
       scene.loads[0].history = {{0, 0.6}, {0, 1}};
       const std::string said = stopped(scene, method, 0.02, out.path).what();
       std::smatch found;
-      ASSERT_TRUE(std::regex_search(said, found, std::regex("stopped at step (\\d+).*the last good state \\(step (\\d+), t = "))) << said;
+      ASSERT_TRUE(std::regex_search(
+          said, found, std::regex("stopped at step (\\d+).*the last good state \\(step (\\d+), t = ")))
+          << said;
       const long step = std::stol(found[2]);
       EXPECT_GT(step, 0);
       EXPECT_LT(step, std::stol(found[1]));
-      EXPECT_THAT(text_of(out.path / "last_good.xdmf"), HasSubstr(fmt::format("last good state, step {}", step)));
+      EXPECT_THAT(
+          text_of(out.path / "last_good.xdmf"), HasSubstr(fmt::format("last good state, step {}", step)));
       const auto expected = state_at(scene, method, 0.02, step);
       ASSERT_FALSE(expected[0].empty());
       const std::string file = (out.path / "fields/last_good.h5").string();
@@ -167,13 +185,16 @@ TEST(Capacity, TheEstimateIsRefusedWithASpacingThatFits) {
     } catch (const std::runtime_error& error) {
       said = error.what();
     }
-    EXPECT_THAT(said, AllOf(HasSubstr("this spacing means about 1e+12"), HasSubstr(" PB of memory; 16 GB are available; take a spacing of at least ")));
+    EXPECT_THAT(said, AllOf(HasSubstr("this spacing means about 1e+12"),
+                            HasSubstr(" PB of memory; 16 GB are available; take a spacing of at least ")));
     double advised = 0;
-    ASSERT_EQ(std::sscanf(said.substr(said.find("at least ")).c_str(), "at least %lf mm", &advised), 1) << said;
+    ASSERT_EQ(std::sscanf(said.substr(said.find("at least ")).c_str(), "at least %lf mm", &advised), 1)
+        << said;
     EXPECT_NO_THROW(refuse_excess(scene, method, {1e-3 * advised, {}}, 16e9));
     EXPECT_THROW(refuse_excess(scene, method, {0.9e-3 * advised, {}}, 16e9), std::runtime_error);
   }
-  EXPECT_THROW(refuse_excess(scene, method_named("fem-full"), {0, {100000, 100000, 100000}}, 16e9), std::runtime_error);
+  EXPECT_THROW(refuse_excess(scene, method_named("fem-full"), {0, {100000, 100000, 100000}}, 16e9),
+               std::runtime_error);
   EXPECT_NO_THROW(refuse_excess(scene, method_named("fem-full"), {0, {10, 10, 10}}, 16e9));
 }
 

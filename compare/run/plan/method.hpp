@@ -11,8 +11,8 @@
 
 namespace femsph::compare {
 
-/// A discretization by its name in tables: fem-full, fem-sri, fem-one-point, fem-assumed-strain, sph-classic-share, sph-classic-full,
-/// sph-classic-trapezoid, sph-virtual, sph-weight, sph-corrected.
+/// A discretization by its name in tables: fem-full, fem-sri, fem-one-point, fem-assumed-strain,
+/// sph-classic-share, sph-classic-full, sph-classic-trapezoid, sph-virtual, sph-weight, sph-corrected.
 struct Method {
   std::string name;
   std::variant<fem::Options, sph::Options> options;
@@ -25,8 +25,8 @@ const std::vector<Method>& methods();
 /// Throws std::runtime_error with "did you mean".
 Method method_named(const std::string& name);
 
-/// How fine: a spacing (FEM: the edge of a square cell; the divisions are the sides' lengths over it, rounded), or divisions along each axis,
-/// which for SPH must mean one spacing.
+/// How fine: a spacing (FEM: the edge of a square cell; the divisions are the sides' lengths over it,
+/// rounded), or divisions along each axis, which for SPH must mean one spacing.
 struct Resolution {
   double spacing = 0;  ///< m
   std::array<int, 3> divisions{0, 0, 0};

@@ -6,17 +6,23 @@
 
 namespace femsph::compare {
 
-const Words<sph::KernelKind> kernel_words = {{"cubic-spline", sph::KernelKind::cubic_spline}, {"wendland-c2", sph::KernelKind::wendland_c2}};
+const Words<sph::KernelKind> kernel_words = {
+    {"cubic-spline", sph::KernelKind::cubic_spline}, {"wendland-c2", sph::KernelKind::wendland_c2}};
 const Words<sph::MassRule> mass_words = {
     {"share", sph::MassRule::share}, {"full", sph::MassRule::full}, {"trapezoid", sph::MassRule::trapezoid}};
-const Words<sph::KernelVolume> kernel_volume_words = {{"whole", sph::KernelVolume::whole}, {"own", sph::KernelVolume::own}};
+const Words<sph::KernelVolume> kernel_volume_words = {
+    {"whole", sph::KernelVolume::whole}, {"own", sph::KernelVolume::own}};
 const Words<sph::Dilatation> dilatation_words = {
-    {"automatic", sph::Dilatation::automatic}, {"local", sph::Dilatation::local}, {"mean", sph::Dilatation::mean}};
+    {"automatic", sph::Dilatation::automatic},
+    {"local", sph::Dilatation::local},
+    {"mean", sph::Dilatation::mean}};
 
 namespace {
 
 const Words<sph::Boundary> boundaries = {
-    {"none", sph::Boundary::none}, {"virtual-particles", sph::Boundary::virtual_particles}, {"weight", sph::Boundary::weight}};
+    {"none", sph::Boundary::none},
+    {"virtual-particles", sph::Boundary::virtual_particles},
+    {"weight", sph::Boundary::weight}};
 
 template <class T>
 std::string word_of(const Words<T>& words, T value) {
@@ -83,18 +89,24 @@ std::string Overrides::describe() const {
 }
 
 std::string OptionRange::describe() const {
-  return open ? fmt::format("a number above {:g}, up to {:g}", least, most) : fmt::format("a number from {:g} to {:g}", least, most);
+  return open ? fmt::format("a number above {:g}, up to {:g}", least, most)
+              : fmt::format("a number from {:g} to {:g}", least, most);
 }
 
 const OptionRange& option_range(const std::string& name) {
-  static const std::vector<OptionRange> all = {{"smoothing", 0.6, 4, false}, {"alpha", 0, 100, false},     {"beta", 0, 100, false},     {"gamma", 0, 100, true},
-                                               {"hourglass", 0, 10, false},  {"jitter", 0, 0.5, false}, {"distortion", 0, 0.5, false}};
+  static const std::vector<OptionRange> all = {
+      {"smoothing", 0.6, 4, false}, {"alpha", 0, 100, false},    {"beta", 0, 100, false},
+      {"gamma", 0, 100, true},      {"hourglass", 0, 10, false}, {"jitter", 0, 0.5, false},
+      {"distortion", 0, 0.5, false}};
   return *std::find_if(all.begin(), all.end(), [&](const OptionRange& range) { return range.name == name; });
 }
 
 std::string why_idle(const Method& method, const std::string& option) {
   if (const auto* fem = std::get_if<fem::Options>(&method.options)) {
-    if (option == "hourglass") return fem->element == fem::Element::one_point ? "" : "of the elements, only fem-one-point has an hourglass control";
+    if (option == "hourglass")
+      return fem->element == fem::Element::one_point
+                 ? ""
+                 : "of the elements, only fem-one-point has an hourglass control";
     return option == "distortion" ? "" : "it is an option of SPH";
   }
   const bool classic = std::get<sph::Options>(method.options).formulation == sph::Formulation::classic;
@@ -127,7 +139,8 @@ Overrides read_overrides(Fields& options, const std::vector<Method>& methods) {
     read.jitter = read_number(options, "jitter");
   }
   options.done();
-  for (const std::string key : {"hourglass", "boundary", "kernel_volume", "dilatation", "projection", "alpha", "beta", "gamma"}) {
+  for (const std::string key :
+       {"hourglass", "boundary", "kernel_volume", "dilatation", "projection", "alpha", "beta", "gamma"}) {
     if (!options.has(key.c_str()) || (any_fem && key != "hourglass")) continue;
     for (const Method& method : methods)
       if (const std::string why = why_idle(method, key); !why.empty()) {

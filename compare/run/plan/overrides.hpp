@@ -16,7 +16,8 @@ struct Overrides {
   std::optional<bool> projection;
 
   void apply(Method& method) const;
-  /// " smoothing=1.2 alpha=5", to tell a changed method from the plain one in tables; empty if nothing is changed.
+  /// " smoothing=1.2 alpha=5", to tell a changed method from the plain one in tables; empty if nothing is
+  /// changed.
   std::string describe() const;
 };
 
@@ -39,8 +40,9 @@ extern const Words<sph::MassRule> mass_words;
 extern const Words<sph::KernelVolume> kernel_volume_words;
 extern const Words<sph::Dilatation> dilatation_words;
 
-/// Why an option (by its name above, or viscosity, kernel, mass, boundary, kernel_volume, dilatation, projection) does nothing with this method: "hourglass control belongs to ..";
-/// empty where it does something.
+/// Why an option (by its name above, or viscosity, kernel, mass, boundary, kernel_volume, dilatation,
+/// projection) does nothing with this method: "hourglass control belongs to .."; empty where it does
+/// something.
 std::string why_idle(const Method& method, const std::string& option);
 
 /// Reads the options that every one of `methods` has; faults for the others, with "did you mean".

@@ -16,20 +16,25 @@ using Holds = Verdict::Holds;
 
 Holds yes_or_no(bool holds) { return holds ? Holds::yes : Holds::no; }
 
-void add_note(Verdict& verdict, const std::string& note) { verdict.note += (verdict.note.empty() ? "" : "; ") + note; }
+void add_note(Verdict& verdict, const std::string& note) {
+  verdict.note += (verdict.note.empty() ? "" : "; ") + note;
+}
 
 std::string percent(double value) { return fmt::format("{:+.3g} %", value); }
 
 // The rows of a filter that have what a claim asks for.
-std::vector<const Row*> rows_of(const RowFilter& filter, const Claim& claim, const std::vector<Row>& rows, Verdict& verdict) {
+std::vector<const Row*> rows_of(const RowFilter& filter, const Claim& claim, const std::vector<Row>& rows,
+                                Verdict& verdict) {
   std::vector<const Row*> found;
   int without = 0, unsettled = 0;
-  std::vector<std::string> missing = filter.cases;  // of several cases each must be there: half of them do not answer for all
+  std::vector<std::string> missing =
+      filter.cases;  // of several cases each must be there: half of them do not answer for all
   std::string doubt;
   for (const Row& row : rows) {
     if (!filter.matches(row)) continue;
     std::erase(missing, row.case_name);
-    const bool usable = row.value && std::isfinite(*row.value) && (claim.of_value || error_of(row, claim.reference));
+    const bool usable = row.value && std::isfinite(*row.value) &&
+                        (claim.of_value || error_of(row, claim.reference));
     if (claim.reference == Reference::limit && !row.limit_doubt.empty()) doubt = row.limit_doubt;
     unsettled += usable && row.settled == false;
     if (usable)
@@ -38,19 +43,22 @@ std::vector<const Row*> rows_of(const RowFilter& filter, const Claim& claim, con
       ++without;
   }
   if (without > 0)
-    add_note(verdict, fmt::format("{} row{} without a result ({})", without, without == 1 ? "" : "s", filter.describe()));
+    add_note(verdict, fmt::format("{} row{} without a result ({})", without, without == 1 ? "" : "s",
+                                  filter.describe()));
   else if (found.empty())
     add_note(verdict, "no row for " + filter.describe());
   else if (!missing.empty())
     add_note(verdict, "no row of " + one_of(missing));
   if (!doubt.empty()) add_note(verdict, "no limit: " + doubt);
   if (without > 0 || !missing.empty()) found.clear();
-  if (!found.empty() && unsettled > 0) add_note(verdict, fmt::format("{} row{} not settled", unsettled, unsettled == 1 ? "" : "s"));
+  if (!found.empty() && unsettled > 0)
+    add_note(verdict, fmt::format("{} row{} not settled", unsettled, unsettled == 1 ? "" : "s"));
   return found;
 }
 
 std::string row_text(const Claim& claim, const Row& row) {
-  return claim.of_value ? fmt::format("{:.4g} {}", *row.value, row.unit) : percent(*error_of(row, claim.reference));
+  return claim.of_value ? fmt::format("{:.4g} {}", *row.value, row.unit)
+                        : percent(*error_of(row, claim.reference));
 }
 
 bool row_holds(const Claim& claim, const Row& row) {
@@ -65,7 +73,8 @@ bool row_holds(const Claim& claim, const Row& row) {
     case Kind::smaller:
       return error < 0;
     default:
-      return std::abs(std::abs(claim.of_value ? *row.value : error) - std::abs(*claim.paper)) <= claim.tolerance;
+      return std::abs(std::abs(claim.of_value ? *row.value : error) - std::abs(*claim.paper)) <=
+             claim.tolerance;
   }
 }
 
@@ -81,12 +90,16 @@ void judge_rows(const Claim& claim, const std::vector<Row>& rows, Verdict& verdi
   verdict.holds = holding == found.size() ? Holds::yes : holding == 0 ? Holds::no : Holds::partly;
 }
 
-bool within_factor(double ours, double paper, double factor) { return ours <= paper * factor && ours >= paper / factor; }
+bool within_factor(double ours, double paper, double factor) {
+  return ours <= paper * factor && ours >= paper / factor;
+}
 
 void judge_ratio(const Claim& claim, const std::vector<Row>& rows, Verdict& verdict) {
-  const auto above = rows_of(claim.rows, claim, rows, verdict), below = rows_of(claim.other, claim, rows, verdict);
+  const auto above = rows_of(claim.rows, claim, rows, verdict),
+             below = rows_of(claim.other, claim, rows, verdict);
   if (above.empty() || below.empty()) return;
-  if (above.size() > 1 || below.size() > 1) return add_note(verdict, "more than one row; a ratio needs one and one");
+  if (above.size() > 1 || below.size() > 1)
+    return add_note(verdict, "more than one row; a ratio needs one and one");
   const double a = *error_of(*above[0], claim.reference), b = *error_of(*below[0], claim.reference);
   if (b == 0) return add_note(verdict, "the error below the line is 0");
   const double ratio = std::abs(a / b);
@@ -111,14 +124,16 @@ void judge_order(const Claim& claim, const std::vector<Row>& rows, Verdict& verd
 }
 
 void judge_finer(const Claim& claim, const std::vector<Row>& rows, Verdict& verdict) {
-  const auto ladder = rows_of(claim.rows, claim, rows, verdict), target = rows_of(claim.other, claim, rows, verdict);
+  const auto ladder = rows_of(claim.rows, claim, rows, verdict),
+             target = rows_of(claim.other, claim, rows, verdict);
   if (ladder.empty() || target.empty()) return;
-  if (target.size() > 1 || !target[0]->spacing_mm) return add_note(verdict, "the error to reach must be that of one row");
+  if (target.size() > 1 || !target[0]->spacing_mm)
+    return add_note(verdict, "the error to reach must be that of one row");
   const double error = *error_of(*target[0], claim.reference), spacing = *target[0]->spacing_mm;
   const auto reached = spacing_at_error(errors_of(ladder, claim.reference), std::abs(error));
   if (!reached) return add_note(verdict, "the ladder does not tell where it reaches that error");
-  verdict.ours =
-      fmt::format("{:.3g} times ({:.3g} mm for {} at {:.3g} mm)", spacing / reached->spacing, reached->spacing, percent(error), spacing);
+  verdict.ours = fmt::format("{:.3g} times ({:.3g} mm for {} at {:.3g} mm)", spacing / reached->spacing,
+                             reached->spacing, percent(error), spacing);
   if (reached->extrapolated) add_note(verdict, "extrapolated beyond the ladder");
   if (!reached->monotone) add_note(verdict, "the ladder's error does not fall from rung to rung");
   verdict.holds = yes_or_no(within_factor(spacing / reached->spacing, *claim.paper, claim.factor));
@@ -143,7 +158,8 @@ std::string paper_text(const Claim& claim, const std::vector<Row>& rows) {
     case Kind::value:
       break;
   }
-  const auto row = std::find_if(rows.begin(), rows.end(), [&](const Row& r) { return claim.rows.matches(r); });
+  const auto row = std::find_if(
+      rows.begin(), rows.end(), [&](const Row& r) { return claim.rows.matches(r); });
   const std::string unit = !claim.of_value ? "%" : row != rows.end() ? row->unit : "";
   return fmt::format("{:g} {} +- {:g}", *claim.paper, unit, claim.tolerance);
 }
@@ -187,7 +203,9 @@ const char* word(Holds holds) {
 }  // namespace
 
 bool RowFilter::matches(const Row& row) const {
-  const auto fits = [](const std::optional<std::string>& asked, const std::string& is) { return !asked || *asked == is; };
+  const auto fits = [](const std::optional<std::string>& asked, const std::string& is) {
+    return !asked || *asked == is;
+  };
   return fits(study, row.study) && fits(method, row.method) && fits(quantity, row.quantity) &&
          (cases.empty() || std::find(cases.begin(), cases.end(), row.case_name) != cases.end()) &&
          (!spacing_mm || (row.spacing_mm && std::abs(*row.spacing_mm / *spacing_mm - 1) < 1e-6));
@@ -213,14 +231,16 @@ std::vector<Verdict> judge(const std::vector<Claim>& claims, const std::vector<R
 std::string csv(const std::vector<Verdict>& verdicts) {
   std::string text = "id,source,claim,paper,ours,holds,note\r\n";
   for (const Verdict& v : verdicts)
-    text += fmt::format("{},{},{},{},{},{},{}\r\n", csv_cell(v.claim->id), csv_cell(v.claim->source), csv_cell(v.claim->text),
-                        csv_cell(v.paper), csv_cell(v.ours), word(v.holds), csv_cell(v.note));
+    text += fmt::format(
+        "{},{},{},{},{},{},{}\r\n", csv_cell(v.claim->id), csv_cell(v.claim->source), csv_cell(v.claim->text),
+        csv_cell(v.paper), csv_cell(v.ours), word(v.holds), csv_cell(v.note));
   return text;
 }
 
 std::string markdown(const std::vector<Verdict>& verdicts) {
   std::vector<std::vector<std::string>> cells = {{"source", "claim", "paper", "ours", "holds", "note"}};
-  for (const Verdict& v : verdicts) cells.push_back({v.claim->source, v.claim->text, v.paper, v.ours, word(v.holds), v.note});
+  for (const Verdict& v : verdicts)
+    cells.push_back({v.claim->source, v.claim->text, v.paper, v.ours, word(v.holds), v.note});
   return markdown_table(cells);
 }
 

@@ -25,7 +25,8 @@ struct Claim {
     above,    ///< |error| of the rows is above `bound` percent
     ratio,    ///< |error| of the row over that of the `other` row is the paper's ratio, within `factor`
     order,    ///< observed order of the ladder is between `low` and `high`
-    finer,    ///< the ladder must be so many times finer than the `other` row to reach its |error|: the paper's, within `factor`
+    finer,    ///< the ladder must be so many times finer than the `other` row to reach its |error|: the
+              ///< paper's, within `factor`
     larger,   ///< the rows are larger in magnitude than the reference
     smaller,  ///< the rows are smaller
   };
@@ -45,7 +46,8 @@ struct Verdict {
   std::string note;         ///< what the evaluation met, and the claim's own note if it does not hold
 };
 
-/// Answers every claim from the rows alone. `unknown` when a row is missing, or has no number; of several cases each must be there.
+/// Answers every claim from the rows alone. `unknown` when a row is missing, or has no number; of several
+/// cases each must be there.
 std::vector<Verdict> judge(const std::vector<Claim>& claims, const std::vector<Row>& rows);
 
 std::string csv(const std::vector<Verdict>& verdicts);

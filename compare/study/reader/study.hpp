@@ -1,14 +1,15 @@
 #pragma once
-// A study: a folder with study.toml, scene files, plot.gp and a README.md. It says which runs to make, what to take from them, what
-// to compare it with, and which claims to check. The format is described in studies/README.md.
+// A study: a folder with study.toml, scene files, plot.gp and a README.md. It says which runs to make, what
+// to take from them, what to compare it with, and which claims to check. The format is described in
+// studies/README.md.
 
 #include <map>
 #include <optional>
 #include <string>
 #include <vector>
 
-#include "compare/study/reader/claims.hpp"
 #include "compare/measure/quantity_spec.hpp"
+#include "compare/study/reader/claims.hpp"
 #include "compare/study/reader/verdicts.hpp"
 #include "model/input/faults.hpp"
 
@@ -30,14 +31,14 @@ struct SeriesSpec {
   Reference reference = Reference::theory;  ///< error, cases
   Observed observed;                        ///< history, profile
   Unit time_unit{"ms", 1e-3};               ///< history
-  Observed along;                             ///< path: what the abscissa is
+  Observed along;                           ///< path: what the abscissa is
   std::optional<std::string> theory;        ///< history, profile: a column of theory
   std::vector<std::string> cases, methods;  ///< empty: all
   std::optional<std::string> scene;         ///< whose theory; default: the first run's
 };
 
-/// The converged solution to compare with: the static one of the elastic body by FEM of high degree; or, with `ladder`, Richardson's limit of
-/// that method's ladder, quantity by quantity.
+/// The converged solution to compare with: the static one of the elastic body by FEM of high degree; or, with
+/// `ladder`, Richardson's limit of that method's ladder, quantity by quantity.
 struct LimitSpec {
   std::array<int, 3> divisions{};
   int degree = 4;
@@ -46,12 +47,12 @@ struct LimitSpec {
 
 /// What an error costs by each method: one scene and quantity of price.csv.
 struct PriceSpec {
-  std::string name, title;                      ///< name: in tables and names of files; title: for people
-  std::string quantity;                         ///< of one scene
+  std::string name, title;  ///< name: in tables and names of files; title: for people
+  std::string quantity;     ///< of one scene
   Reference reference = Reference::limit;
-  std::vector<double> errors{10, 5, 1, 0.1};    ///< percent
-  std::optional<double> spacing;                ///< m: all methods compared at this spacing too
-  std::string base;                             ///< the method that others must be finer than; empty: none
+  std::vector<double> errors{10, 5, 1, 0.1};  ///< percent
+  std::optional<double> spacing;              ///< m: all methods compared at this spacing too
+  std::string base;                           ///< the method that others must be finer than; empty: none
 };
 
 /// A question to `advise`, whose advice is followed and measured.
@@ -69,14 +70,14 @@ struct Study {
   std::vector<QuantitySpec> quantities;
   std::vector<PaperNumber> paper;
   std::vector<SeriesSpec> series;
-  std::optional<LimitSpec> limit;            ///< of every scene that `limits` does not name
-  std::map<std::string, LimitSpec> limits;   ///< by scene
-  int repeat = 1;                            ///< how often every run is made, to know the spread of its time
+  std::optional<LimitSpec> limit;           ///< of every scene that `limits` does not name
+  std::map<std::string, LimitSpec> limits;  ///< by scene
+  int repeat = 1;                           ///< how often every run is made, to know the spread of its time
   std::vector<PriceSpec> prices;
   std::vector<AdviceSpec> advice;
   std::vector<Study> collected;  ///< run too; their rows are this study's
   std::vector<Claim> claims;
-  std::vector<Bound> bounds;              ///< some: the study's table is one of verdicts
+  std::vector<Bound> bounds;  ///< some: the study's table is one of verdicts
   std::vector<Expectation> expectations;
 };
 

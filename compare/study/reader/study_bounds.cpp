@@ -18,7 +18,8 @@ std::optional<double> not_negative(Fields& fields, const char* key) {
 
 /// Some run of these cases and methods gives a quantity that `fits`.
 template <class Fits>
-bool some_row(const Study& study, const std::vector<std::string>& cases, const std::vector<std::string>& methods, Fits fits) {
+bool some_row(const Study& study, const std::vector<std::string>& cases,
+              const std::vector<std::string>& methods, Fits fits) {
   for (const PlannedRun& run : study.runs)
     if (listed(cases, run.case_name) && listed(methods, run.label))
       for (const QuantitySpec& quantity : study.quantities)
@@ -28,11 +29,17 @@ bool some_row(const Study& study, const std::vector<std::string>& cases, const s
 
 /// A bound that no row can break says nothing.
 void check_bound(const Fields& fields, const Bound& bound, const Study& study) {
-  const auto named = [&](const QuantitySpec& q) { return bound.quantity.empty() || q.name == bound.quantity; };
+  const auto named = [&](const QuantitySpec& q) {
+    return bound.quantity.empty() || q.name == bound.quantity;
+  };
   if (!some_row(study, bound.cases, bound.methods, named))
-    fields.fault(bound.quantity.empty() ? "cases" : "quantity", "no run gives these cases, methods and quantity together; expected words of one run");
-  else if (bound.error_percent && !some_row(study, bound.cases, bound.methods, [&](const QuantitySpec& q) { return named(q) && (q.theory || q.reference); }))
-    fields.fault("error_percent", "no quantity of this bound has a theory or a reference to err from; expected one that has");
+    fields.fault(bound.quantity.empty() ? "cases" : "quantity",
+                 "no run gives these cases, methods and quantity together; expected words of one run");
+  else if (bound.error_percent && !some_row(study, bound.cases, bound.methods, [&](const QuantitySpec& q) {
+             return named(q) && (q.theory || q.reference);
+           }))
+    fields.fault("error_percent",
+                 "no quantity of this bound has a theory or a reference to err from; expected one that has");
 }
 
 void one_bound(Fields& fields, StudyReading& reading) {
@@ -43,7 +50,8 @@ void one_bound(Fields& fields, StudyReading& reading) {
   const auto known = quantity_names(study);
   bound.quantity = fields.text("quantity", Need::optional).value_or("");
   if (!bound.quantity.empty() && std::find(known.begin(), known.end(), bound.quantity) == known.end())
-    fields.fault("quantity", fmt::format("unknown quantity {}; expected {}{}", in_quotes(bound.quantity), one_of(known), did_you_mean(bound.quantity, known)));
+    fields.fault("quantity", fmt::format("unknown quantity {}; expected {}{}", in_quotes(bound.quantity),
+                                         one_of(known), did_you_mean(bound.quantity, known)));
   bound.energy_drift = not_negative(fields, "energy_drift");
   bound.momentum_drift = not_negative(fields, "momentum_drift");
   bound.angular_momentum_drift = not_negative(fields, "angular_momentum_drift");
@@ -51,9 +59,11 @@ void one_bound(Fields& fields, StudyReading& reading) {
   bound.error_percent = not_negative(fields, "error_percent");
   bound.low = fields.number("low", Need::optional);
   bound.high = fields.number("high", Need::optional);
-  if (bound.low && bound.high && *bound.low > *bound.high) fields.fault("low", "\"low\" lies above \"high\", so that nothing can be between; expected it below");
+  if (bound.low && bound.high && *bound.low > *bound.high)
+    fields.fault("low", "\"low\" lies above \"high\", so that nothing can be between; expected it below");
   fields.done();
-  if (bound.quantity.empty() || std::find(known.begin(), known.end(), bound.quantity) != known.end()) check_bound(fields, bound, study);
+  if (bound.quantity.empty() || std::find(known.begin(), known.end(), bound.quantity) != known.end())
+    check_bound(fields, bound, study);
   reading.study.bounds.push_back(bound);
 }
 
@@ -61,12 +71,16 @@ void one_expectation(Fields& fields, StudyReading& reading) {
   Expectation expectation;
   expectation.cases = read_names(fields, "cases", case_names(reading.study), "case");
   expectation.methods = read_names(fields, "methods", method_labels(reading.study), "method");
-  expectation.messages = fields.texts("messages", Need::required, "a list of words, of which the failure says one").value_or(std::vector<std::string>{});
+  expectation.messages =
+      fields.texts("messages", Need::required, "a list of words, of which the failure says one")
+          .value_or(std::vector<std::string>{});
   expectation.reason = fields.text("reason", Need::required, "why it must fail").value_or("");
   fields.done();
-  if (!some_row(reading.study, expectation.cases, expectation.methods, [](const QuantitySpec&) { return true; }))
+  if (!some_row(
+          reading.study, expectation.cases, expectation.methods, [](const QuantitySpec&) { return true; }))
     fields.fault("cases", "no run has these cases and methods together; expected words of one run");
-  if (reading.study.bounds.empty()) fields.fault("messages", "[[expectations]] without [[bounds]]; expected bounds that the failure breaks");
+  if (reading.study.bounds.empty())
+    fields.fault("messages", "[[expectations]] without [[bounds]]; expected bounds that the failure breaks");
   reading.study.expectations.push_back(expectation);
 }
 

@@ -17,7 +17,8 @@ void add_planned(const Study& study, std::vector<Row>& rows) {
     for (const QuantitySpec& quantity : study.quantities) {
       if (!quantity.is_of(run)) continue;
       Row row;
-      row.study = study.name, row.case_name = run.case_name, row.method = run.label, row.quantity = quantity.name;
+      row.study = study.name, row.case_name = run.case_name, row.method = run.label,
+      row.quantity = quantity.name;
       row.unit = quantity.observed.unit.name;
       if (run.resolution.spacing > 0) row.spacing_mm = 1e3 * run.resolution.spacing;
       rows.push_back(row);
@@ -45,12 +46,14 @@ std::vector<std::string> known_words(std::string Row::*member, const std::vector
 }
 
 // One word of a filter: it must be that of some row.
-std::optional<std::string> read_word(Fields& fields, const char* key, std::string Row::*member, const std::vector<Row>& planned) {
+std::optional<std::string> read_word(Fields& fields, const char* key, std::string Row::*member,
+                                     const std::vector<Row>& planned) {
   const auto word = fields.text(key, Need::optional);
   if (!word) return {};
   const auto known = known_words(member, planned);
   if (std::find(known.begin(), known.end(), *word) != known.end()) return word;
-  fields.fault(key, fmt::format("no run has the {} {}; expected {}{}", key, in_quotes(*word), one_of(known), did_you_mean(*word, known)));
+  fields.fault(key, fmt::format("no run has the {} {}; expected {}{}", key, in_quotes(*word), one_of(known),
+                                did_you_mean(*word, known)));
   return {};
 }
 
@@ -65,13 +68,18 @@ RowFilter read_filter(Fields& fields, const std::vector<Row>& planned) {
   return filter;
 }
 
-void check_filter(const Fields& fields, const char* key, const RowFilter& filter, const std::vector<Row>& planned) {
-  const bool some = std::any_of(planned.begin(), planned.end(), [&](const Row& row) { return could_match(filter, row); });
-  if (!some) fields.fault(key, fmt::format("no run of the study gives {}; expected words of one run together", filter.describe()));
+void check_filter(const Fields& fields, const char* key, const RowFilter& filter,
+                  const std::vector<Row>& planned) {
+  const bool some = std::any_of(
+      planned.begin(), planned.end(), [&](const Row& row) { return could_match(filter, row); });
+  if (!some)
+    fields.fault(key, fmt::format("no run of the study gives {}; expected words of one run together",
+                                  filter.describe()));
 }
 
 RowFilter read_filter_table(Fields& claim, const char* key, const std::vector<Row>& planned) {
-  auto fields = claim.table(key, Need::required, "a table such as {cases = [\"1_4\"], quantity = \"tip_displacement\"}");
+  auto fields = claim.table(
+      key, Need::required, "a table such as {cases = [\"1_4\"], quantity = \"tip_displacement\"}");
   if (!fields) return {};
   const RowFilter filter = read_filter(*fields, planned);
   fields->done();
@@ -81,17 +89,21 @@ RowFilter read_filter_table(Fields& claim, const char* key, const std::vector<Ro
 
 double positive(Fields& fields, const char* key, double least) {
   const auto value = fields.number(key, Need::required);
-  if (value && *value < least) fields.fault(key, fmt::format("\"{}\" is {}; expected a number from {} on", key, *value, least));
+  if (value && *value < least)
+    fields.fault(key, fmt::format("\"{}\" is {}; expected a number from {} on", key, *value, least));
   return value.value_or(least);
 }
 
 // The keys that a kind of claim asks for, and no others.
 void read_kind(Fields& fields, Claim& claim, const std::vector<Row>& planned) {
-  const auto paper = [&] { claim.paper = fields.number("paper", Need::required, "the paper's number").value_or(0); };
+  const auto paper = [&] {
+    claim.paper = fields.number("paper", Need::required, "the paper's number").value_or(0);
+  };
   claim.rows = read_filter_table(fields, "rows", planned);
   switch (claim.kind) {
     case Kind::value:
-      claim.of_value = fields.choice<bool>("field", Need::optional, {{"error", false}, {"value", true}}).value_or(false);
+      claim.of_value =
+          fields.choice<bool>("field", Need::optional, {{"error", false}, {"value", true}}).value_or(false);
       paper();
       claim.tolerance = positive(fields, "tolerance", 0);
       break;
@@ -108,7 +120,8 @@ void read_kind(Fields& fields, Claim& claim, const std::vector<Row>& planned) {
     case Kind::order:
       claim.low = fields.number("low", Need::required).value_or(0);
       claim.high = fields.number("high", Need::required).value_or(0);
-      if (claim.low > claim.high) fields.fault("low", "\"low\" lies above \"high\", so that nothing can be between; expected it below");
+      if (claim.low > claim.high)
+        fields.fault("low", "\"low\" lies above \"high\", so that nothing can be between; expected it below");
       break;
     case Kind::larger:
     case Kind::smaller:
@@ -119,20 +132,26 @@ void read_kind(Fields& fields, Claim& claim, const std::vector<Row>& planned) {
 void one_claim(Fields& fields, StudyReading& reading, const std::vector<Row>& planned) {
   Claim claim;
   claim.id = fields.text("id", Need::required, "a short name").value_or("");
-  claim.source = fields.text("source", Need::required, "where the paper says it, such as \"fig 5\"").value_or("");
+  claim.source =
+      fields.text("source", Need::required, "where the paper says it, such as \"fig 5\"").value_or("");
   claim.text = fields.text("text", Need::required, "the claim in words").value_or("");
   claim.note = fields.text("note", Need::optional).value_or("");
-  claim.reference = fields.choice<Reference>("reference", Need::optional, {{"theory", Reference::theory}, {"limit", Reference::limit}, {"value", Reference::value}})
-                        .value_or(Reference::theory);
-  const auto kind = fields.choice<Kind>("kind", Need::required,
-                                        {{"value", Kind::value},
-                                         {"below", Kind::below},
-                                         {"above", Kind::above},
-                                         {"ratio", Kind::ratio},
-                                         {"order", Kind::order},
-                                         {"finer", Kind::finer},
-                                         {"larger", Kind::larger},
-                                         {"smaller", Kind::smaller}});
+  claim.reference =
+      fields
+          .choice<Reference>(
+              "reference", Need::optional,
+              {{"theory", Reference::theory}, {"limit", Reference::limit}, {"value", Reference::value}})
+          .value_or(Reference::theory);
+  const auto kind = fields.choice<Kind>(
+      "kind", Need::required,
+      {{"value", Kind::value},
+       {"below", Kind::below},
+       {"above", Kind::above},
+       {"ratio", Kind::ratio},
+       {"order", Kind::order},
+       {"finer", Kind::finer},
+       {"larger", Kind::larger},
+       {"smaller", Kind::smaller}});
   if (!kind) return;
   claim.kind = *kind;
   read_kind(fields, claim, planned);
@@ -140,10 +159,12 @@ void one_claim(Fields& fields, StudyReading& reading, const std::vector<Row>& pl
   reading.study.claims.push_back(claim);
 }
 
-std::optional<double> read_paper_value(Fields& fields, const std::optional<std::string>& quantity, const Study& study) {
-  const auto text = fields.text("value", Need::optional, "a number with the unit of the quantity, such as \"4.765 mm\"");
-  const auto spec =
-      std::find_if(study.quantities.begin(), study.quantities.end(), [&](const QuantitySpec& q) { return q.name == quantity; });
+std::optional<double> read_paper_value(Fields& fields, const std::optional<std::string>& quantity,
+                                       const Study& study) {
+  const auto text = fields.text(
+      "value", Need::optional, "a number with the unit of the quantity, such as \"4.765 mm\"");
+  const auto spec = std::find_if(study.quantities.begin(), study.quantities.end(),
+                                 [&](const QuantitySpec& q) { return q.name == quantity; });
   if (!text || spec == study.quantities.end()) return {};
   const std::string& unit = spec->observed.unit.name;
   try {
@@ -161,10 +182,12 @@ void read_paper(Fields& root, StudyReading& reading) {
   for (Fields& fields : root.tables("paper")) {
     PaperNumber number;
     number.rows = read_filter(fields, planned);
-    if (!fields.has("quantity")) fields.text("quantity", Need::required, "the quantity that the number is for");
+    if (!fields.has("quantity"))
+      fields.text("quantity", Need::required, "the quantity that the number is for");
     number.value = read_paper_value(fields, number.rows.quantity, reading.study);
     number.error_percent = fields.number("error_percent", Need::optional);
-    number.source = fields.text("source", Need::required, "where the paper says it, such as \"fig 14\"").value_or("");
+    number.source =
+        fields.text("source", Need::required, "where the paper says it, such as \"fig 14\"").value_or("");
     if (!fields.has("value") && !fields.has("error_percent"))
       fields.fault("value", "expected \"value\", \"error_percent\" or both in [[paper]]");
     fields.done();

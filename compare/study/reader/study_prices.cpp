@@ -15,8 +15,10 @@ std::string read_name(Fields& fields, const Study& study) {
   const std::string expected = "a name of letters, digits, _ and -, which files take too";
   const std::string name = fields.text("name", Need::required, expected).value_or("x");
   const auto allowed = [](unsigned char c) { return c < 0x80 && (std::isalnum(c) || c == '_' || c == '-'); };
-  if (name.empty() || !std::all_of(name.begin(), name.end(), allowed)) fields.fault("name", fmt::format("\"name\" is {}; expected {}", in_quotes(name), expected));
-  if (std::any_of(study.prices.begin(), study.prices.end(), [&](const PriceSpec& p) { return p.name == name; }))
+  if (name.empty() || !std::all_of(name.begin(), name.end(), allowed))
+    fields.fault("name", fmt::format("\"name\" is {}; expected {}", in_quotes(name), expected));
+  if (std::any_of(
+          study.prices.begin(), study.prices.end(), [&](const PriceSpec& p) { return p.name == name; }))
     fields.fault("name", fmt::format("two prices are called {}; expected a name for each", in_quotes(name)));
   return name;
 }
@@ -25,7 +27,8 @@ std::string read_base(Fields& fields, const Study& study) {
   const auto base = fields.text("base", Need::optional, "the name of a method in tables");
   const auto known = method_labels(study);
   if (base && std::find(known.begin(), known.end(), *base) == known.end())
-    fields.fault("base", fmt::format("unknown method {}; expected {}{}", in_quotes(*base), one_of(known), did_you_mean(*base, known)));
+    fields.fault("base", fmt::format("unknown method {}; expected {}{}", in_quotes(*base), one_of(known),
+                                     did_you_mean(*base, known)));
   return base.value_or("");
 }
 
@@ -35,23 +38,32 @@ void one_price(Fields& fields, StudyReading& reading) {
   price.name = read_name(fields, study);
   price.title = fields.text("title", Need::optional).value_or(price.name);
   price.quantity = fields.text("quantity", Need::required, one_of(quantity_names(study))).value_or("");
-  price.reference = fields.choice<Reference>("reference", Need::optional, {{"theory", Reference::theory}, {"limit", Reference::limit}}).value_or(price.reference);
+  price.reference = fields
+                        .choice<Reference>("reference", Need::optional,
+                                           {{"theory", Reference::theory}, {"limit", Reference::limit}})
+                        .value_or(price.reference);
   if (const auto errors = fields.numbers("errors", Need::optional)) {
     price.errors = *errors;
     if (errors->empty() || std::any_of(errors->begin(), errors->end(), [](double e) { return e <= 0; }))
-      fields.fault("errors", "\"errors\" holds no number above 0; expected percents, such as [10, 5, 1, 0.1]");
+      fields.fault(
+          "errors", "\"errors\" holds no number above 0; expected percents, such as [10, 5, 1, 0.1]");
   }
   price.spacing = fields.quantity("spacing", Need::optional, dimension::length, Sign::positive);
   price.base = read_base(fields, study);
   fields.done();
-  const auto quantity = std::find_if(study.quantities.begin(), study.quantities.end(), [&](const QuantitySpec& q) { return q.name == price.quantity; });
+  const auto quantity = std::find_if(study.quantities.begin(), study.quantities.end(),
+                                     [&](const QuantitySpec& q) { return q.name == price.quantity; });
   if (quantity == study.quantities.end()) {
     const auto known = quantity_names(study);
-    fields.fault("quantity", fmt::format("unknown quantity {}; expected {}{}", in_quotes(price.quantity), one_of(known), did_you_mean(price.quantity, known)));
+    fields.fault("quantity", fmt::format("unknown quantity {}; expected {}{}", in_quotes(price.quantity),
+                                         one_of(known), did_you_mean(price.quantity, known)));
   } else if (!quantity->scene && study.scenes.size() > 1) {
-    fields.fault("quantity", fmt::format("{} is a quantity of several scenes; expected one that names its scene", in_quotes(price.quantity)));
+    fields.fault(
+        "quantity", fmt::format("{} is a quantity of several scenes; expected one that names its scene",
+                                in_quotes(price.quantity)));
   } else if (price.reference == Reference::theory && !quantity->theory) {
-    fields.fault("reference", fmt::format("{} has no theory; expected reference = \"limit\"", in_quotes(price.quantity)));
+    fields.fault("reference",
+                 fmt::format("{} has no theory; expected reference = \"limit\"", in_quotes(price.quantity)));
   }
   reading.study.prices.push_back(price);
 }
@@ -62,17 +74,25 @@ void one_advice(Fields& fields, StudyReading& reading) {
   advice.quantity = fields.text("quantity", Need::required, one_of(quantity_names(study))).value_or("");
   advice.error = fields.number("error", Need::optional, "percent above 0");
   advice.within = fields.quantity("within", Need::optional, dimension::time, Sign::positive);
-  advice.budget = fields.quantity("budget", Need::optional, dimension::time, Sign::positive).value_or(advice.budget);
+  advice.budget =
+      fields.quantity("budget", Need::optional, dimension::time, Sign::positive).value_or(advice.budget);
   advice.methods = read_methods(fields, Need::optional);
   fields.done();
-  if (fields.has("error") == fields.has("within")) fields.fault("error", "expected either \"error\", in percent, or \"within\", a time, in " + fields.name());
+  if (fields.has("error") == fields.has("within"))
+    fields.fault(
+        "error", "expected either \"error\", in percent, or \"within\", a time, in " + fields.name());
   if (advice.error && *advice.error <= 0) fields.fault("error", "\"error\" is not above 0; expected percent");
-  const auto quantity = std::find_if(study.quantities.begin(), study.quantities.end(), [&](const QuantitySpec& q) { return q.name == advice.quantity; });
+  const auto quantity = std::find_if(study.quantities.begin(), study.quantities.end(),
+                                     [&](const QuantitySpec& q) { return q.name == advice.quantity; });
   const auto known = quantity_names(study);
   if (quantity == study.quantities.end())
-    fields.fault("quantity", fmt::format("unknown quantity {}; expected {}{}", in_quotes(advice.quantity), one_of(known), did_you_mean(advice.quantity, known)));
+    fields.fault("quantity", fmt::format("unknown quantity {}; expected {}{}", in_quotes(advice.quantity),
+                                         one_of(known), did_you_mean(advice.quantity, known)));
   else if (quantity->reduce == Reduce::l2 || (!quantity->scene && study.scenes.size() > 1))
-    fields.fault("quantity", fmt::format("{} has no limit of one scene; expected a quantity that names its scene, other than l2", in_quotes(advice.quantity)));
+    fields.fault(
+        "quantity",
+        fmt::format("{} has no limit of one scene; expected a quantity that names its scene, other than l2",
+                    in_quotes(advice.quantity)));
   else if (quantity->scene)
     advice.scene = *quantity->scene;
   else if (!study.scenes.empty())  // none could be read: said where it is named

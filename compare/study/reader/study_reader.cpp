@@ -17,13 +17,17 @@ Study parse(const std::string& text, const std::string& file, bool may_collect);
 void read_collected(Fields& root, StudyReading& reading, bool may_collect) {
   const auto names = root.texts("studies", Need::optional, "a list of studies, such as [\"uniaxial\"]");
   if (!names) return;
-  if (!may_collect) return root.fault("studies", "a study that another one collects collects studies itself; expected runs only");
+  if (!may_collect)
+    return root.fault(
+        "studies", "a study that another one collects collects studies itself; expected runs only");
   for (const std::string& name : *names) {
     const fs::path file = fs::path(reading.study.folder) / ".." / name / "study.toml";
     if (name == reading.study.name) {
       root.fault("studies", fmt::format("{} collects itself; expected other studies", in_quotes(name)));
     } else if (std::error_code ignored; !fs::exists(file, ignored)) {
-      root.fault("studies", fmt::format("no study is called {}; expected the name of a folder beside this study's", in_quotes(name)));
+      root.fault(
+          "studies", fmt::format("no study is called {}; expected the name of a folder beside this study's",
+                                 in_quotes(name)));
     } else {
       const std::string path = file.lexically_normal().string();
       reading.study.collected.push_back(parse(read_text_file(path, "a study file (TOML)"), path, false));
@@ -42,7 +46,8 @@ Study parse(const std::string& text, const std::string& file, bool may_collect) 
   StudyReading reading{study, faults, "scene.toml"};
 
   study.title = root.text("title", Need::required, "a title").value_or("");
-  reading.default_scene = root.text("scene", Need::optional, "the file of a scene").value_or(reading.default_scene);
+  reading.default_scene =
+      root.text("scene", Need::optional, "the file of a scene").value_or(reading.default_scene);
   read_collected(root, reading, may_collect);
   read_runs(root, reading);  // names the scenes, which all that follows refers to
   read_repeat(root, reading);
@@ -74,11 +79,13 @@ const Scene* scene_of(const Fields& fields, const char* key, const std::string& 
   }
 }
 
-std::vector<std::string> read_names(Fields& fields, const char* key, const std::vector<std::string>& known, const std::string& what) {
+std::vector<std::string> read_names(Fields& fields, const char* key, const std::vector<std::string>& known,
+                                    const std::string& what) {
   const auto names = fields.texts(key, Need::optional, fmt::format("a list of {}s", what));
   for (const std::string& name : names.value_or(std::vector<std::string>{}))
     if (std::find(known.begin(), known.end(), name) == known.end())
-      fields.fault(key, fmt::format("unknown {} {}; expected {}{}", what, in_quotes(name), one_of(known), did_you_mean(name, known)));
+      fields.fault(key, fmt::format("unknown {} {}; expected {}{}", what, in_quotes(name), one_of(known),
+                                    did_you_mean(name, known)));
   return names.value_or(std::vector<std::string>{});
 }
 
@@ -108,6 +115,8 @@ std::vector<std::string> quantity_names(const Study& study) {
 
 Study parse_study(const std::string& text, const std::string& file) { return parse(text, file, true); }
 
-Study read_study(const std::string& file) { return parse_study(read_text_file(file, "a study file (TOML)"), file); }
+Study read_study(const std::string& file) {
+  return parse_study(read_text_file(file, "a study file (TOML)"), file);
+}
 
 }  // namespace femsph::compare

@@ -32,7 +32,8 @@ std::vector<Method> read_methods(Fields& fields, Need need);  // study_runs.cpp
 /// "20x2" or "20x2x1". Nothing if it is neither.
 std::optional<std::array<int, 3>> parse_divisions(const std::string& text);
 /// A list of names known to the study; faults with "did you mean" for the others.
-std::vector<std::string> read_names(Fields& fields, const char* key, const std::vector<std::string>& known, const std::string& what);
+std::vector<std::string> read_names(Fields& fields, const char* key, const std::vector<std::string>& known,
+                                    const std::string& what);
 std::vector<std::string> case_names(const Study& study);
 std::vector<std::string> method_labels(const Study& study);
 std::vector<std::string> quantity_names(const Study& study);

@@ -14,7 +14,8 @@ namespace femsph::compare {
 std::vector<Method> read_methods(Fields& fields, Need need) {
   std::vector<Method> found;
   const auto names = fields.texts("methods", need, "a list of methods, such as [\"fem-full\"]");
-  if (names && names->empty()) fields.fault("methods", "\"methods\" is empty; expected a list of methods, such as [\"fem-full\"]");
+  if (names && names->empty())
+    fields.fault("methods", "\"methods\" is empty; expected a list of methods, such as [\"fem-full\"]");
   for (const std::string& name : names.value_or(std::vector<std::string>{})) {
     try {
       found.push_back(method_named(name));
@@ -34,7 +35,9 @@ std::vector<Resolution> read_resolutions(Fields& fields, int dim) {
   const auto spacings = fields.quantities("spacing", Need::optional, dimension::length, Sign::positive);
   const auto divisions = fields.texts("divisions", Need::optional, divisions_expected);
   if (fields.has("spacing") == fields.has("divisions")) {
-    fields.fault("spacing", "expected either \"spacing\", such as [\"20 mm\", \"10 mm\"], or \"divisions\", such as [\"20x2\", \"40x4\"]");
+    fields.fault("spacing",
+                 "expected either \"spacing\", such as [\"20 mm\", \"10 mm\"], or \"divisions\", such as "
+                 "[\"20x2\", \"40x4\"]");
     return all;
   }
   for (const double spacing : spacings.value_or(std::vector<double>{})) all.push_back({spacing, {}});
@@ -43,7 +46,9 @@ std::vector<Resolution> read_resolutions(Fields& fields, int dim) {
     if (cells && ((*cells)[2] > 0) == (dim == 3))
       all.push_back({0, *cells});
     else
-      fields.fault("divisions", fmt::format("{} in \"divisions\"; expected {} whole numbers with \"x\" between", in_quotes(text), dim));
+      fields.fault(
+          "divisions", fmt::format("{} in \"divisions\"; expected {} whole numbers with \"x\" between",
+                                   in_quotes(text), dim));
   }
   return all;
 }
@@ -57,23 +62,31 @@ std::string default_case(const Resolution& resolution) {
 std::vector<std::string> read_cases(Fields& fields, const std::vector<Resolution>& resolutions) {
   std::vector<std::string> defaults;
   for (const Resolution& resolution : resolutions) defaults.push_back(default_case(resolution));
-  const auto cases = fields.texts("cases", Need::optional, "a list of names, one for each spacing or division");
+  const auto cases = fields.texts(
+      "cases", Need::optional, "a list of names, one for each spacing or division");
   if (!cases) return defaults;
   if (cases->size() == resolutions.size()) return *cases;
-  fields.fault("cases", fmt::format("{} cases for {} resolutions; expected as many", cases->size(), resolutions.size()));
+  fields.fault("cases", fmt::format("{} cases for {} resolutions; expected as many", cases->size(),
+                                    resolutions.size()));
   return defaults;
 }
 
-/// `supports`: smoothing lengths over the spacing, each a method of its own. None given: the methods as they are.
-std::vector<std::optional<double>> read_supports(Fields& fields, const std::vector<Method>& chosen, const Overrides& overrides) {
+/// `supports`: smoothing lengths over the spacing, each a method of its own. None given: the methods as they
+/// are.
+std::vector<std::optional<double>> read_supports(Fields& fields, const std::vector<Method>& chosen,
+                                                 const Overrides& overrides) {
   const auto given = fields.numbers("supports", Need::optional);
   if (!given) return {std::nullopt};
-  if (given->empty() || std::any_of(given->begin(), given->end(), [](double h) { return !option_range("smoothing").holds(h); }))
-    fields.fault("supports", fmt::format("\"supports\" holds something else than {}; expected smoothing lengths over the spacing, such as [1.0, 1.2, 1.4]", option_range("smoothing").describe()));
+  if (given->empty() ||
+      std::any_of(given->begin(), given->end(), [](double h) { return !option_range("smoothing").holds(h); }))
+    fields.fault("supports", fmt::format("\"supports\" holds something else than {}; expected smoothing "
+                                         "lengths over the spacing, such as [1.0, 1.2, 1.4]",
+                                         option_range("smoothing").describe()));
   if (overrides.smoothing || fields.has("label"))
     fields.fault("supports", "\"supports\" beside a smoothing or a label; expected one of them");
   for (const Method& method : chosen)
-    if (method.is_fem()) fields.fault("supports", fmt::format("\"supports\" with {}; expected it with SPH only", method.name));
+    if (method.is_fem())
+      fields.fault("supports", fmt::format("\"supports\" with {}; expected it with SPH only", method.name));
   return {given->begin(), given->end()};
 }
 
@@ -81,16 +94,24 @@ std::string support_label(const std::optional<double>& support) {
   return support ? fmt::format(" h={:g}d", *support) : "";
 }
 
-/// Elements of bodies that bring their own cells have one resolution, whatever the spacing: several would be rows of one and the same run.
-void refuse_same_cells(Fields& fields, const Scene* scene, const std::vector<Method>& chosen, std::size_t resolutions) {
-  if (!scene || resolutions < 2 || !std::all_of(scene->bodies.begin(), scene->bodies.end(), [](const Body& b) { return b.rigid || (b.shape && b.shape->cells()); })) return;
+/// Elements of bodies that bring their own cells have one resolution, whatever the spacing: several would be
+/// rows of one and the same run.
+void refuse_same_cells(Fields& fields, const Scene* scene, const std::vector<Method>& chosen,
+                       std::size_t resolutions) {
+  if (!scene || resolutions < 2 ||
+      !std::all_of(scene->bodies.begin(), scene->bodies.end(),
+                   [](const Body& b) { return b.rigid || (b.shape && b.shape->cells()); }))
+    return;
   for (const Method& method : chosen)
     if (method.is_fem())
-      fields.fault(fields.has("spacing") ? "spacing" : "divisions", fmt::format("{} resolutions for {}, but every body brings its own cells; expected one", resolutions, method.name));
+      fields.fault(fields.has("spacing") ? "spacing" : "divisions",
+                   fmt::format("{} resolutions for {}, but every body brings its own cells; expected one",
+                               resolutions, method.name));
 }
 
 void one_block(Fields& fields, StudyReading& reading, int ladder) {
-  const std::string file = fields.text("scene", Need::optional, "the file of a scene").value_or(reading.default_scene);
+  const std::string file =
+      fields.text("scene", Need::optional, "the file of a scene").value_or(reading.default_scene);
   const Scene* scene = scene_of(fields, "scene", file, reading);
   std::vector<Method> chosen = read_methods(fields, Need::required);
   const auto resolutions = read_resolutions(fields, scene ? scene->dim() : 2);
@@ -98,12 +119,15 @@ void one_block(Fields& fields, StudyReading& reading, int ladder) {
   const auto quick = read_names(fields, "quick", cases, "case");
   const auto step = fields.quantity("step", Need::optional, dimension::time, Sign::positive);
   const auto label = fields.text("label", Need::optional, "a name for the method in tables");
-  const std::string safety_expected = "a number above 0, up to 2: the step over the critical step";  // beyond 1: to see what then happens
+  const std::string safety_expected =
+      "a number above 0, up to 2: the step over the critical step";  // beyond 1: to see what then happens
   const auto safety = fields.number("safety", Need::optional, safety_expected);
-  if (safety && !(*safety > 0 && *safety <= 2)) fields.fault("safety", fmt::format("\"safety\" is {:g}; expected {}", *safety, safety_expected));
+  if (safety && !(*safety > 0 && *safety <= 2))
+    fields.fault("safety", fmt::format("\"safety\" is {:g}; expected {}", *safety, safety_expected));
   if (safety && step) fields.fault("safety", "\"safety\" beside \"step\"; expected one of them");
   refuse_same_cells(fields, scene, chosen, resolutions.size());
-  if (label && chosen.size() > 1) fields.fault("label", "\"label\" with several methods; expected it with one");
+  if (label && chosen.size() > 1)
+    fields.fault("label", "\"label\" with several methods; expected it with one");
   Overrides overrides;
   if (auto options = fields.table("options", Need::optional, "a table such as {smoothing = 1.2}"))
     overrides = read_overrides(*options, chosen);
@@ -160,7 +184,9 @@ LimitSpec one_limit(Fields& fields, int dim) {
   if (cells && (dim == 0 || ((*cells)[2] > 0) == (dim == 3)))
     limit.divisions = *cells;
   else
-    fields.fault("divisions", fmt::format("\"divisions\" is {}; expected cells along the axes, such as \"100x10\"", in_quotes(*text)));
+    fields.fault(
+        "divisions", fmt::format("\"divisions\" is {}; expected cells along the axes, such as \"100x10\"",
+                                 in_quotes(*text)));
   return limit;
 }
 
@@ -169,12 +195,16 @@ LimitSpec ladder_limit(Fields& fields, const std::string& scene, const Study& st
   LimitSpec limit;
   limit.ladder = fields.text("ladder", Need::required, "the name of a method in tables").value_or("");
   const auto known = method_labels(study);
-  const auto rungs = std::count_if(study.runs.begin(), study.runs.end(),
-                                   [&](const PlannedRun& run) { return run.label == limit.ladder && run.scene == scene; });
+  const auto rungs = std::count_if(study.runs.begin(), study.runs.end(), [&](const PlannedRun& run) {
+    return run.label == limit.ladder && run.scene == scene;
+  });
   if (std::find(known.begin(), known.end(), limit.ladder) == known.end())
-    fields.fault("ladder", fmt::format("unknown method {}; expected {}{}", in_quotes(limit.ladder), one_of(known), did_you_mean(limit.ladder, known)));
+    fields.fault("ladder", fmt::format("unknown method {}; expected {}{}", in_quotes(limit.ladder),
+                                       one_of(known), did_you_mean(limit.ladder, known)));
   else if (rungs < 3)
-    fields.fault("ladder", fmt::format("{} runs {} at {} spacings; expected three or more to extrapolate from", in_quotes(limit.ladder), in_quotes(scene), rungs));
+    fields.fault(
+        "ladder", fmt::format("{} runs {} at {} spacings; expected three or more to extrapolate from",
+                              in_quotes(limit.ladder), in_quotes(scene), rungs));
   return limit;
 }
 
@@ -184,9 +214,11 @@ void scene_limit(Fields& fields, Study& study) {
   const auto name = fields.text("scene", Need::required, "the file of a scene that a run uses");
   const auto scene = name ? study.scenes.find(*name) : study.scenes.end();
   if (name && scene == study.scenes.end())
-    fields.fault("scene", fmt::format("no run uses the scene {}; expected {}{}", in_quotes(*name), one_of(known), did_you_mean(*name, known)));
+    fields.fault("scene", fmt::format("no run uses the scene {}; expected {}{}", in_quotes(*name),
+                                      one_of(known), did_you_mean(*name, known)));
   if (scene == study.scenes.end()) return fields.accept_rest();
-  const LimitSpec limit = fields.has("ladder") ? ladder_limit(fields, *name, study) : one_limit(fields, scene->second.dim());
+  const LimitSpec limit = fields.has("ladder") ? ladder_limit(fields, *name, study)
+                                               : one_limit(fields, scene->second.dim());
   fields.done();
   study.limits[*name] = limit;
 }
@@ -194,7 +226,8 @@ void scene_limit(Fields& fields, Study& study) {
 }  // namespace
 
 void read_limit(Fields& root, StudyReading& reading) {
-  if (auto fields = root.table("limit", Need::optional, "a table with divisions = \"100x10\" and degree = 4")) {
+  if (auto fields = root.table(
+          "limit", Need::optional, "a table with divisions = \"100x10\" and degree = 4")) {
     reading.study.limit = one_limit(*fields, 0);
     fields->done();
   }

@@ -1,5 +1,6 @@
 #pragma once
-// Did a run stay stable? Bounds that every row must keep, failures that must occur, and the verdict on each row.
+// Did a run stay stable? Bounds that every row must keep, failures that must occur, and the verdict on each
+// row.
 
 #include <algorithm>
 
@@ -12,11 +13,13 @@ inline bool listed(const std::vector<std::string>& names, const std::string& nam
   return names.empty() || std::find(names.begin(), names.end(), name) != names.end();
 }
 
-/// Bounds of the rows of some cases, methods and quantity (empty: all). Where several match, the last one that names a bound counts.
+/// Bounds of the rows of some cases, methods and quantity (empty: all). Where several match, the last one
+/// that names a bound counts.
 struct Bound {
   std::vector<std::string> cases, methods;
   std::string quantity;
-  std::optional<double> energy_drift, momentum_drift, angular_momentum_drift, hourglass_share;  ///< shares of 1
+  std::optional<double> energy_drift, momentum_drift, angular_momentum_drift,
+      hourglass_share;                  ///< shares of 1
   std::optional<double> error_percent;  ///< of the magnitude of the error against theory or reference
   std::optional<double> low, high;      ///< of the value, in the unit of the table
 };
@@ -35,7 +38,8 @@ struct JudgedRow {
 };
 
 /// From the rows alone. An expected failure that does not occur is a failed row.
-std::vector<JudgedRow> judge(const std::vector<Bound>& bounds, const std::vector<Expectation>& expectations, const std::vector<Row>& rows);
+std::vector<JudgedRow> judge(const std::vector<Bound>& bounds, const std::vector<Expectation>& expectations,
+                             const std::vector<Row>& rows);
 
 /// case, method, verdict, reason, the drifts, quantity, value, reference, error_percent, steps, cpu_s.
 std::string csv(const std::vector<JudgedRow>& judged);

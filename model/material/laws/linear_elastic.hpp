@@ -10,7 +10,8 @@ namespace femsph {
 enum class Plane { stress, strain, none };
 
 /// Isotropic linear elasticity, sigma = lambda tr(eps) I + 2 mu eps.
-/// In plane stress lambda is the effective 2 lambda mu / (lambda + 2 mu) = E nu / (1 - nu^2), so one formula serves all three cases.
+/// In plane stress lambda is the effective 2 lambda mu / (lambda + 2 mu) = E nu / (1 - nu^2), so one formula
+/// serves all three cases.
 struct LinearElastic {
   double lambda;   ///< effective first Lame parameter, Pa
   double mu;       ///< shear modulus, Pa
@@ -22,7 +23,8 @@ struct LinearElastic {
   static LinearElastic make(double young, double poisson, double density, Plane plane) {
     const double mu = young / (2 * (1 + poisson));
     const double lambda = young * poisson / ((1 + poisson) * (1 - 2 * poisson));
-    return {plane == Plane::stress ? young * poisson / (1 - poisson * poisson) : lambda, mu, density, poisson, plane};
+    return {plane == Plane::stress ? young * poisson / (1 - poisson * poisson) : lambda, mu, density, poisson,
+            plane};
   }
 
   template <int dim>
@@ -44,28 +46,36 @@ struct LinearElastic {
     for (int k = 0; k < symmetric_size<dim>; ++k) stress_now[k] += d[k];
   }
 
-  /// Energy stored per volume, J/m^3: 1/2 sigma : eps. (Across the plane either the stress or the strain is 0.)
+  /// Energy stored per volume, J/m^3: 1/2 sigma : eps. (Across the plane either the stress or the strain is
+  /// 0.)
   template <class T, int dim>
-  FEMSPH_INLINE T stored_energy(const Symmetric<T, dim>& strain, const Symmetric<T, dim>& stress_now, const T*) const {
+  FEMSPH_INLINE T stored_energy(const Symmetric<T, dim>& strain, const Symmetric<T, dim>& stress_now,
+                                const T*) const {
     return 0.5 * contract(stress_now, strain);
   }
 
   /// The law's elastic part: what the critical step and the hourglass stiffness are made from.
   const LinearElastic& elastic() const { return *this; }
 
-  /// Speed of the fastest plane wave of the case, sqrt((lambda + 2 mu)/rho): in plane stress sqrt(E / (rho (1 - nu^2))).
+  /// Speed of the fastest plane wave of the case, sqrt((lambda + 2 mu)/rho): in plane stress sqrt(E / (rho (1
+  /// - nu^2))).
   double wave_speed() const { return std::sqrt((lambda + 2 * mu) / density); }
 
   /// Stress normal to the plane: 0 in plane stress, nu (sxx + syy) in plane strain.
-  double thickness_stress(const Symmetric<double, 2>&, const Symmetric<double, 2>& s, const double*) const { return plane == Plane::strain ? poisson * (s[0] + s[1]) : 0.0; }
+  double thickness_stress(const Symmetric<double, 2>&, const Symmetric<double, 2>& s, const double*) const {
+    return plane == Plane::strain ? poisson * (s[0] + s[1]) : 0.0;
+  }
   /// Strain normal to the plane: 0 in plane strain, -nu/(1 - nu) (exx + eyy) in plane stress.
   double thickness_strain(const Symmetric<double, 2>& e, const Symmetric<double, 2>&, const double*) const {
     return plane == Plane::stress ? -poisson / (1 - poisson) * (e[0] + e[1]) : 0.0;
   }
 };
 
-/// What hourglass control takes for the body's stiffness, Pa: lambda + 2 mu, but no more than its value for nu = 0.3, 3.5 mu. Hourglass modes
-/// shear and bend; in proportion to lambda, which grows without bound as nu -> 0.5, their control would lock a nearly incompressible body.
-inline double hourglass_modulus(const LinearElastic& elastic) { return std::min(elastic.lambda + 2 * elastic.mu, 3.5 * elastic.mu); }
+/// What hourglass control takes for the body's stiffness, Pa: lambda + 2 mu, but no more than its value for
+/// nu = 0.3, 3.5 mu. Hourglass modes shear and bend; in proportion to lambda, which grows without bound as nu
+/// -> 0.5, their control would lock a nearly incompressible body.
+inline double hourglass_modulus(const LinearElastic& elastic) {
+  return std::min(elastic.lambda + 2 * elastic.mu, 3.5 * elastic.mu);
+}
 
 }  // namespace femsph

@@ -1,12 +1,14 @@
 #pragma once
-// Compressible neo-Hookean solid (Bonet & Wood, Nonlinear Continuum Mechanics for Finite Element Analysis, 2nd ed., eq. 6.27):
+// Compressible neo-Hookean solid (Bonet & Wood, Nonlinear Continuum Mechanics for Finite Element Analysis,
+// 2nd ed., eq. 6.27):
 //   psi = mu/2 (F:F - 3) - mu ln J + lambda/2 (ln J)^2     per undeformed volume.
-// With F = R U the stress conjugate to U is T = d psi / dU = mu (U - U^-1) + lambda ln J U^-1, and P = R T. For small strain it is
-// linear elasticity with the same lambda and mu. It stores all work, and ln J -> -infinity keeps a volume from vanishing; J <= 0 gives NaN.
+// With F = R U the stress conjugate to U is T = d psi / dU = mu (U - U^-1) + lambda ln J U^-1, and P = R T.
+// For small strain it is linear elasticity with the same lambda and mu. It stores all work, and ln J ->
+// -infinity keeps a volume from vanishing; J <= 0 gives NaN.
 //   plane strain   U_zz = 1
 //   plane stress   U_zz = t with mu (t - 1/t) + lambda ln(J_2 t)/t = 0, J_2 of the plane: w = 2 ln t solves
-//                  mu (e^w - 1) + lambda w/2 + lambda ln J_2 = 0, convex and rising: Newton's steps fall to the root from
-//                  w = -lambda ln J_2 / (mu + lambda/2), where the tangent at w = 0 crosses.
+//                  mu (e^w - 1) + lambda w/2 + lambda ln J_2 = 0, convex and rising: Newton's steps fall to
+//                  the root from w = -lambda ln J_2 / (mu + lambda/2), where the tangent at w = 0 crosses.
 
 #include "model/material/laws/linear_elastic.hpp"
 #include "model/material/laws/stretch.hpp"
@@ -19,7 +21,8 @@ struct NeoHookean {
   double lambda;       ///< of the material (in plane stress base.lambda is the plane's)
 
   static NeoHookean make(double young, double poisson, double density, Plane plane) {
-    return {LinearElastic::make(young, poisson, density, plane), young * poisson / ((1 + poisson) * (1 - 2 * poisson))};
+    return {LinearElastic::make(young, poisson, density, plane),
+            young * poisson / ((1 + poisson) * (1 - 2 * poisson))};
   }
 
   template <int dim>
@@ -39,7 +42,8 @@ struct NeoHookean {
     const T offset = lambda * in;
     T w = offset * (-1 / (base.mu + 0.5 * lambda));
     for (int turn = 0; turn < 50; ++turn) {  // five for what a solid bears
-      const T e = exponential(w), step = (base.mu * (e - 1.0) + 0.5 * lambda * w + offset) / (base.mu * e + 0.5 * lambda);
+      const T e = exponential(w),
+              step = (base.mu * (e - 1.0) + 0.5 * lambda * w + offset) / (base.mu * e + 0.5 * lambda);
       w -= step;
       if (!any((step > 1e-9) | (step < -1e-9))) break;  // the next one would be its square
     }
@@ -69,10 +73,12 @@ struct NeoHookean {
     return base.mu * (0.5 * shape - v.log_J) + 0.5 * lambda * v.log_J * v.log_J;
   }
 
-  /// d T / d U along the shortest principal stretch, mu (1 + g) + lambda (1 - ln J) g (in plane stress about that, with the plane's lambda).
+  /// d T / d U along the shortest principal stretch, mu (1 + g) + lambda (1 - ln J) g (in plane stress about
+  /// that, with the plane's lambda).
   template <class T>
   FEMSPH_INLINE T stiffening(const T& g, const T& J) const {
-    return (base.mu * (1.0 + g) + base.lambda * (1.0 - natural_log(J)) * g) * (1 / (base.lambda + 2 * base.mu));
+    return (base.mu * (1.0 + g) + base.lambda * (1.0 - natural_log(J)) * g) *
+           (1 / (base.lambda + 2 * base.mu));
   }
   const LinearElastic& elastic() const { return base; }
   double wave_speed() const { return base.wave_speed(); }
@@ -81,7 +87,9 @@ struct NeoHookean {
     return base.plane == Plane::strain ? lambda * volume(e).log_J : 0.0;
   }
   /// t - 1
-  double thickness_strain(const Symmetric<double, 2>& e, const Symmetric<double, 2>&, const double*) const { return std::expm1(volume(e).log_t); }
+  double thickness_strain(const Symmetric<double, 2>& e, const Symmetric<double, 2>&, const double*) const {
+    return std::expm1(volume(e).log_t);
+  }
 };
 
 }  // namespace femsph

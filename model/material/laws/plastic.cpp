@@ -26,9 +26,12 @@ FEMSPH_INLINE T initial_yield(const Plasticity& p, const PointStress<T, dim>& tr
 template <class T>
 FEMSPH_INLINE T growth(const LinearElastic& base, const Plasticity& p, const T* history) {
   switch (p.integration) {
-    case Integration::largest_stress: return history[Plastic::excess];
-    case Integration::modulus_mistaken: return 2 * base.mu * (1 + base.poisson) * history[Plastic::equivalent_strain];
-    default: return p.hardening * history[Plastic::equivalent_strain];
+    case Integration::largest_stress:
+      return history[Plastic::excess];
+    case Integration::modulus_mistaken:
+      return 2 * base.mu * (1 + base.poisson) * history[Plastic::equivalent_strain];
+    default:
+      return p.hardening * history[Plastic::equivalent_strain];
   }
 }
 
@@ -37,20 +40,25 @@ FEMSPH_INLINE T growth(const LinearElastic& base, const Plasticity& p, const T* 
 template <class T, int dim>
 void Plastic::flow(const Symmetric<T, dim>& increment, Symmetric<T, dim>& stress, T* history) const {
   const Plasticity& p = parameters;
-  const PointStress<T, dim> before{stress, stress_across<T, dim>(history)}, trial = elastic_step(increment, stress, history);
+  const PointStress<T, dim> before{stress, stress_across<T, dim>(history)},
+      trial = elastic_step(increment, stress, history);
   PointStress<T, dim> now = trial;
   const T initial = initial_yield(p, trial), yield = initial + growth(base, p, history);
-  const Flow<T> step = p.johnson_cook ? johnson_cook_return(base, p, this->step, increment, history[equivalent_strain], history[work], history[excess], now)
+  const Flow<T> step = p.johnson_cook
+                           ? johnson_cook_return(base, p, this->step, increment, history[equivalent_strain],
+                                                 history[work], history[excess], now)
                        : p.integration == Integration::return_mapping
                            ? return_to_surface(base, p.hardening, yield, now)
                            : tangent_step<T, dim>(base, p.hardening, yield, increment, before, now);
   if (p.tension == TensionRule::principal) cut_tension(p.tensile_strength, now);
 
-  if (p.integration == Integration::largest_stress) history[excess] = larger(history[excess], von_mises(now) - initial);
+  if (p.integration == Integration::largest_stress)
+    history[excess] = larger(history[excess], von_mises(now) - initial);
   note<false>(trial, now, step, stress, history);
 }
 
-FlowStress flow_stress(const Plastic& law, const double* history, double share, const std::array<double, 6>& cauchy) {
+FlowStress flow_stress(const Plastic& law, const double* history, double share,
+                       const std::array<double, 6>& cauchy) {
   const Plasticity& p = law.parameters;
   FlowStress bound;
   if (p.tension == TensionRule::principal) bound.strength = share * p.tensile_strength;
@@ -61,7 +69,8 @@ FlowStress flow_stress(const Plastic& law, const double* history, double share, 
   if (p.johnson_cook) {
     const double last = history[Plastic::excess], before = history[Plastic::equivalent_strain] - last;
     const Symmetric<double, 3> s{cauchy[0], cauchy[1], cauchy[2], cauchy[3], cauchy[4], cauchy[5]};
-    const double rate_and_heat = johnson_cook<double>(p, law.step, before, last, history[Plastic::work], 0.0, 0.0).value;
+    const double rate_and_heat =
+        johnson_cook<double>(p, law.step, before, last, history[Plastic::work], 0.0, 0.0).value;
     bound.yield = bound.tensile = std::max(share * rate_and_heat, von_mises<double, 3>({s, 0.0}));
   }
   return bound;

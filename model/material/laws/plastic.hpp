@@ -1,12 +1,13 @@
 #pragma once
 // Metal-like plasticity, and what the paper makes of it for concrete.
 //
-//   yield      f = q - Y,  q = sqrt(3/2 s:s) (von Mises),  Y = yield + hardening p   (linear isotropic hardening; eq. 8 of the paper)
-//   flow       d eps^p = dp 3 s / (2 q),  p the equivalent plastic strain
+//   yield      f = q - Y,  q = sqrt(3/2 s:s) (von Mises),  Y = yield + hardening p   (linear isotropic
+//   hardening; eq. 8 of the paper) flow       d eps^p = dp 3 s / (2 q),  p the equivalent plastic strain
 //
-// A tension rule and the way the stress is integrated are parameters of the one law, so that it is compiled once for all of them. The
-// elastic step, the question whether any of eight points yields, and the return mapping stand in the kernels; everything else is one call,
-// flow(), which asks for the rule once. The pieces: return_mapping.hpp, no_return.hpp, tension.hpp.
+// A tension rule and the way the stress is integrated are parameters of the one law, so that it is compiled
+// once for all of them. The elastic step, the question whether any of eight points yields, and the return
+// mapping stand in the kernels; everything else is one call, flow(), which asks for the rule once. The
+// pieces: return_mapping.hpp, no_return.hpp, tension.hpp.
 
 #include <optional>
 
@@ -17,25 +18,28 @@ namespace femsph {
 
 enum class TensionRule {
   none,       ///< the same yield stress in tension and compression
-  sign,       ///< the yield stress is `tensile_strength` where the trial mean stress is tension (the paper's concrete: 30 and 3 MPa)
-  principal,  ///< no principal stress above `tensile_strength` (Rankine): a spectral cut-off after the von Mises step
+  sign,       ///< the yield stress is `tensile_strength` where the trial mean stress is tension (the paper's
+              ///< concrete: 30 and 3 MPa)
+  principal,  ///< no principal stress above `tensile_strength` (Rankine): a spectral cut-off after the von
+              ///< Mises step
 };
 
-/// How stress follows strain beyond yield. The paper shows results "without return mapping" and does not say how these were
-/// computed: all but return_mapping are hypotheses about that, kept because their results differ.
+/// How stress follows strain beyond yield. The paper shows results "without return mapping" and does not say
+/// how these were computed: all but return_mapping are hypotheses about that, kept because their results
+/// differ.
 enum class Integration {
-  return_mapping,    ///< backward Euler, radial (projected in plane stress)
-  tangent,           ///< hypothesis 1: tangent D^ep (eq. 8) when f >= 0 and loading; Y follows the plastic strain
+  return_mapping,  ///< backward Euler, radial (projected in plane stress)
+  tangent,  ///< hypothesis 1: tangent D^ep (eq. 8) when f >= 0 and loading; Y follows the plastic strain
   largest_stress,    ///< hypothesis 3: the same, but Y is the largest equivalent stress so far
   modulus_mistaken,  ///< hypothesis 8: as 1, but Y grows by E dp where H belongs (a slip in eq. 10)
 };
 
 /// What johnson_cook.hpp says; C = 0 for no effect of the rate, melting = 0 for none of the heat.
 struct JohnsonCook {
-  double B = 0, n = 1;            ///< Pa, 1
-  double C = 0, rate = 1;         ///< 1, pdot_0 in 1/s
+  double B = 0, n = 1;                             ///< Pa, 1
+  double C = 0, rate = 1;                          ///< 1, pdot_0 in 1/s
   double m = 1, melting = 0, room = 0, start = 0;  ///< 1, K: T_melt, T_room, T_0
-  double heating = 0;             ///< chi / (rho c), K m^3/J
+  double heating = 0;                              ///< chi / (rho c), K m^3/J
 };
 
 /// What a material says about its plasticity.
@@ -45,7 +49,8 @@ struct Plasticity {
   TensionRule tension = TensionRule::none;
   double tensile_strength = 0;  ///< Pa; sign and principal only
   Integration integration = Integration::return_mapping;
-  std::optional<JohnsonCook> johnson_cook = {};  ///< in place of `hardening`; with return mapping and without a tension rule only
+  std::optional<JohnsonCook> johnson_cook =
+      {};  ///< in place of `hardening`; with return mapping and without a tension rule only
 };
 
 struct Plastic {
@@ -54,19 +59,21 @@ struct Plastic {
   double step = 0;  ///< s, that the next increments take; 0: unknown
   void set_step(double dt) { step = dt; }
 
-  /// History of a point. `excess` is how far the largest equivalent stress so far passed the initial yield stress (hypothesis 3), or the flow of the last step (Johnson-Cook);
-  /// `across` is the stress normal to the plane in plane strain, the plastic strain normal to the plane in plane stress.
+  /// History of a point. `excess` is how far the largest equivalent stress so far passed the initial yield
+  /// stress (hypothesis 3), or the flow of the last step (Johnson-Cook); `across` is the stress normal to the
+  /// plane in plane strain, the plastic strain normal to the plane in plane stress.
   enum Slot { equivalent_strain, work, excess, across };
   static constexpr int seldom = excess;  ///< the slot that few steps read
   template <int dim>
   static constexpr int history_size = dim == 2 ? 4 : 3;
   static constexpr bool path_independent = false;
 
-  /// Advances a point by a strain increment. Where no lane yields, of the history only p is read, and nothing of it written in plane
-  /// stress and space: most of a body's points cost little more than elastic ones.
+  /// Advances a point by a strain increment. Where no lane yields, of the history only p is read, and nothing
+  /// of it written in plane stress and space: most of a body's points cost little more than elastic ones.
   template <class T, int dim>
   FEMSPH_INLINE void update(const Symmetric<T, dim>& increment, Symmetric<T, dim>& stress, T* history) const {
-    if (parameters.integration == Integration::return_mapping && parameters.tension == TensionRule::none && !parameters.johnson_cook) {
+    if (parameters.integration == Integration::return_mapping && parameters.tension == TensionRule::none &&
+        !parameters.johnson_cook) {
       const plastic::PointStress<T, dim> trial = elastic_step(increment, stress, history);
       const T yield = parameters.yield + parameters.hardening * history[equivalent_strain];
       if (!any(plastic::von_mises_square(trial) > yield * yield)) {
@@ -78,24 +85,29 @@ struct Plastic {
       }
       plastic::PointStress<T, dim> now = trial;
       const plastic::Flow<T> step = plastic::return_to_surface(base, parameters.hardening, yield, now);
-      if (dim == 3 || base.plane == Plane::strain) note<true>(trial, now, step, stress, history);
-      else note<false>(trial, now, step, stress, history);
+      if (dim == 3 || base.plane == Plane::strain)
+        note<true>(trial, now, step, stress, history);
+      else
+        note<false>(trial, now, step, stress, history);
       return;
     }
-    const Symmetric<T, dim> by = increment;  // copies: what the kernel holds in registers must not have an address
+    const Symmetric<T, dim> by =
+        increment;  // copies: what the kernel holds in registers must not have an address
     Symmetric<T, dim> to = stress;
     flow(by, to, history);
     stress = to;
   }
 
-  /// update() by any rule, whether points yield or not; in plastic.cpp, for T = double and Pack, dim = 2 and 3.
+  /// update() by any rule, whether points yield or not; in plastic.cpp, for T = double and Pack, dim = 2
+  /// and 3.
   template <class T, int dim>
   void flow(const Symmetric<T, dim>& increment, Symmetric<T, dim>& stress, T* history) const;
 
-  /// Ends a step that led from `stress` to `now` by way of `trial`: stress and history. What a radial return takes has no trace.
+  /// Ends a step that led from `stress` to `now` by way of `trial`: stress and history. What a radial return
+  /// takes has no trace.
   template <bool traceless, class T, int dim>
-  FEMSPH_INLINE void note(const plastic::PointStress<T, dim>& trial, const plastic::PointStress<T, dim>& now, const plastic::Flow<T>& step,
-                          Symmetric<T, dim>& stress, T* history) const {
+  FEMSPH_INLINE void note(const plastic::PointStress<T, dim>& trial, const plastic::PointStress<T, dim>& now,
+                          const plastic::Flow<T>& step, Symmetric<T, dim>& stress, T* history) const {
     history[equivalent_strain] += step.equivalent;
     Symmetric<T, dim> sum, lost;
     for (int k = 0; k < symmetric_size<dim>; ++k) {
@@ -103,18 +115,23 @@ struct Plastic {
       lost[k] = trial.in[k] - now.in[k];
     }
     const T sum_across = stress_across<T, dim>(history) + now.across, lost_across = trial.across - now.across;
-    if constexpr (traceless) history[work] += (contract(sum, lost) + sum_across * lost_across) * (0.25 / base.mu);
-    else history[work] += 0.5 * compliance<T, dim>(sum, sum_across, lost, lost_across);
+    if constexpr (traceless)
+      history[work] += (contract(sum, lost) + sum_across * lost_across) * (0.25 / base.mu);
+    else
+      history[work] += 0.5 * compliance<T, dim>(sum, sum_across, lost, lost_across);
     if constexpr (dim == 2) {
-      if (base.plane == Plane::strain) history[across] = now.across;
-      else history[across] += step.across;
+      if (base.plane == Plane::strain)
+        history[across] = now.across;
+      else
+        history[across] += step.across;
     }
     stress = now.in;
   }
 
   /// The stress as if the step were elastic.
   template <class T, int dim>
-  FEMSPH_INLINE plastic::PointStress<T, dim> elastic_step(const Symmetric<T, dim>& increment, const Symmetric<T, dim>& stress, const T* history) const {
+  FEMSPH_INLINE plastic::PointStress<T, dim> elastic_step(
+      const Symmetric<T, dim>& increment, const Symmetric<T, dim>& stress, const T* history) const {
     plastic::PointStress<T, dim> trial{stress, stress_across<T, dim>(history)};
     base.update<T, dim>(increment, trial.in, nullptr);
     if (dim == 2 && base.plane == Plane::strain) trial.across += base.lambda * trace(increment);
@@ -124,9 +141,11 @@ struct Plastic {
   /// a : C^-1 : b of three-dimensional stresses, the components across the plane given apart in 2D:
   /// (a:b - nu/(1 + nu) tr a tr b) / 2G.
   template <class T, int dim>
-  FEMSPH_INLINE T compliance(const Symmetric<T, dim>& a, const T& a_across, const Symmetric<T, dim>& b, const T& b_across) const {
+  FEMSPH_INLINE T compliance(const Symmetric<T, dim>& a, const T& a_across, const Symmetric<T, dim>& b,
+                             const T& b_across) const {
     const double share = base.poisson / (1 + base.poisson);
-    return (contract(a, b) + a_across * b_across - share * (trace(a) + a_across) * (trace(b) + b_across)) * (0.5 / base.mu);
+    return (contract(a, b) + a_across * b_across - share * (trace(a) + a_across) * (trace(b) + b_across)) *
+           (0.5 / base.mu);
   }
 
   /// Stress normal to the plane, for any T.
@@ -140,13 +159,15 @@ struct Plastic {
 
   /// 1/2 sigma : C^-1 : sigma, with the stress across the plane. Stress and history decide alone.
   template <class T, int dim>
-  FEMSPH_INLINE T stored_energy(const Symmetric<T, dim>&, const Symmetric<T, dim>& stress, const T* history) const {
+  FEMSPH_INLINE T stored_energy(const Symmetric<T, dim>&, const Symmetric<T, dim>& stress,
+                                const T* history) const {
     const T normal = stress_across<T, dim>(history);
     return 0.5 * compliance<T, dim>(stress, normal, stress, normal);
   }
 
-  /// In large motion the moduli are those of the Kirchhoff stress tau by the logarithmic strain, whatever the stretch; along the shortest
-  /// principal stretch d P / d F = g (lambda + 2 mu - tau), with the mean stress K ln J for tau (what yields adds little to that).
+  /// In large motion the moduli are those of the Kirchhoff stress tau by the logarithmic strain, whatever the
+  /// stretch; along the shortest principal stretch d P / d F = g (lambda + 2 mu - tau), with the mean stress
+  /// K ln J for tau (what yields adds little to that).
   template <class T>
   FEMSPH_INLINE T stiffening(const T& g, const T& J) const {
     const double bulk = base.lambda + 2.0 / 3 * base.mu;
@@ -154,18 +175,27 @@ struct Plastic {
   }
   const LinearElastic& elastic() const { return base; }
   double wave_speed() const { return base.wave_speed(); }
-  double thickness_stress(const Symmetric<double, 2>&, const Symmetric<double, 2>&, const double* history) const { return stress_across<double, 2>(history); }
+  double thickness_stress(const Symmetric<double, 2>&, const Symmetric<double, 2>&,
+                          const double* history) const {
+    return stress_across<double, 2>(history);
+  }
   /// 0 in plane strain; in plane stress the elastic part -nu/E (sxx + syy) and the plastic part.
-  double thickness_strain(const Symmetric<double, 2>&, const Symmetric<double, 2>& s, const double* history) const {
+  double thickness_strain(const Symmetric<double, 2>&, const Symmetric<double, 2>& s,
+                          const double* history) const {
     if (base.plane != Plane::stress) return 0;
     return -base.poisson / (2 * base.mu * (1 + base.poisson)) * (s[0] + s[1]) + history[across];
   }
   template <class T>
-  FEMSPH_INLINE T plastic_strain(const T* history) const { return history[equivalent_strain]; }
-  /// Work that the stress has done and the law does not store, J/m^3: sum of mean stress of the step : (d eps - C^-1 d sigma).
-  /// With this sum the leap-frog's ledger closes to round-off; a law that creates energy shows as a negative value.
+  FEMSPH_INLINE T plastic_strain(const T* history) const {
+    return history[equivalent_strain];
+  }
+  /// Work that the stress has done and the law does not store, J/m^3: sum of mean stress of the step : (d eps
+  /// - C^-1 d sigma). With this sum the leap-frog's ledger closes to round-off; a law that creates energy
+  /// shows as a negative value.
   template <class T>
-  FEMSPH_INLINE T plastic_work(const T* history) const { return history[work]; }
+  FEMSPH_INLINE T plastic_work(const T* history) const {
+    return history[work];
+  }
 };
 
 }  // namespace femsph

@@ -6,7 +6,9 @@
 namespace femsph::plastic {
 
 template <class T>
-FEMSPH_INLINE T larger(const T& a, const T& b) { return select(a > b, a, b); }
+FEMSPH_INLINE T larger(const T& a, const T& b) {
+  return select(a > b, a, b);
+}
 
 /// In 2D `across` is the stress normal to the plane (0 in plane stress); in 3D it is not used.
 template <class T, int dim>
@@ -24,8 +26,10 @@ struct PointStress {
 template <class T, int dim>
 FEMSPH_INLINE T von_mises_square(const PointStress<T, dim>& s) {
   const T zz = [&] {
-    if constexpr (dim == 2) return s.across;
-    else return s.in[2];
+    if constexpr (dim == 2)
+      return s.across;
+    else
+      return s.in[2];
   }();
   const T xy = s.in[0] - s.in[1], yz = s.in[1] - zz, zx = zz - s.in[0];
   T shear = s.in[dim] * s.in[dim];
@@ -34,7 +38,9 @@ FEMSPH_INLINE T von_mises_square(const PointStress<T, dim>& s) {
 }
 
 template <class T, int dim>
-FEMSPH_INLINE T von_mises(const PointStress<T, dim>& s) { return square_root(von_mises_square(s)); }
+FEMSPH_INLINE T von_mises(const PointStress<T, dim>& s) {
+  return square_root(von_mises_square(s));
+}
 
 /// What one step does beyond the stress itself.
 template <class T>

@@ -8,7 +8,8 @@ namespace femsph {
 /// det U - 1, without the loss of taking 1 away.
 template <class T, int dim>
 FEMSPH_INLINE T growth(const Symmetric<T, dim>& e) {
-  if constexpr (dim == 2) return e[0] + e[1] + (e[0] * e[1] - e[2] * e[2]);
+  if constexpr (dim == 2)
+    return e[0] + e[1] + (e[0] * e[1] - e[2] * e[2]);
   else {
     const T xy = e[0] * e[1] - e[3] * e[3], yz = e[1] * e[2] - e[4] * e[4], zx = e[2] * e[0] - e[5] * e[5];
     const T det = e[0] * yz + e[3] * (e[4] * e[5] - e[3] * e[2]) + e[5] * (e[3] * e[4] - e[1] * e[5]);

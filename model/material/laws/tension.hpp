@@ -1,7 +1,9 @@
 #pragma once
-// Rankine's cut-off: no principal stress above the tensile strength. The stress keeps its principal axes n_i and each principal
-// stress becomes min(sigma_i, strength): sigma -= sum_i max(sigma_i - strength, 0) n_i (x) n_i.
-//   - Differences of principal stresses never grow, so q does not: the von Mises condition, met before, stays met.
+// Rankine's cut-off: no principal stress above the tensile strength. The stress keeps its principal axes n_i
+// and each principal stress becomes min(sigma_i, strength): sigma -= sum_i max(sigma_i - strength, 0) n_i (x)
+// n_i.
+//   - Differences of principal stresses never grow, so q does not: the von Mises condition, met before, stays
+//   met.
 //   - Energy is never created: the strain that goes inelastic, C^-1 D with D the part cut off, takes the work
 //     sigma : C^-1 : D = tr D ((1 + nu) strength - nu tr sigma) / E >= tr D (1 - 2 nu) strength / E >= 0.
 // In plane stress the cut acts in the plane; in plane strain on the normal stress across as well.
@@ -23,7 +25,8 @@ FEMSPH_INLINE void cut_tension(double strength, PointStress<T, 2>& s) {
   s.across -= larger(s.across - strength, T{});
 }
 
-/// Principal axes by Jacobi's cyclic rotations (Golub & Van Loan, Matrix Computations, 8.5), a fixed number of sweeps for all lanes.
+/// Principal axes by Jacobi's cyclic rotations (Golub & Van Loan, Matrix Computations, 8.5), a fixed number
+/// of sweeps for all lanes.
 template <class T>
 FEMSPH_INLINE void cut_tension(double strength, PointStress<T, 3>& s) {
   Tensor<T, 3> A, V{};
@@ -44,7 +47,8 @@ FEMSPH_INLINE void cut_tension(double strength, PointStress<T, 3>& s) {
       const T off = A[p][r], there = select(off != 0.0, off, broadcast<T>(1.0));
       const T theta = 0.5 * (A[r][r] - A[p][p]) / there, size = larger(theta, -theta);
       const T root = 1.0 / (size + square_root(theta * theta + 1.0));
-      const T t = select(off != 0.0, select(theta < 0.0, -root, root), T{}), c = 1.0 / square_root(t * t + 1.0), d = t * c;
+      const T t = select(off != 0.0, select(theta < 0.0, -root, root), T{}),
+              c = 1.0 / square_root(t * t + 1.0), d = t * c;
       for (int k = 0; k < 3; ++k) {
         const T akp = A[k][p], akr = A[k][r], vkp = V[k][p], vkr = V[k][r];
         A[k][p] = c * akp - d * akr, A[k][r] = d * akp + c * akr;

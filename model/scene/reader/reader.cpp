@@ -9,8 +9,8 @@ namespace scene_reader {
 void read_model(Fields& root, Reading& reading) {
   auto model = root.table("model", Need::required, "a table with plane = \"stress\", \"strain\" or \"none\"");
   if (!model) return;
-  const auto plane =
-      model->choice<Plane>("plane", Need::required, {{"stress", Plane::stress}, {"strain", Plane::strain}, {"none", Plane::none}});
+  const auto plane = model->choice<Plane>(
+      "plane", Need::required, {{"stress", Plane::stress}, {"strain", Plane::strain}, {"none", Plane::none}});
   const auto large = model->choice<bool>("motion", Need::optional, {{"small", false}, {"large", true}});
   model->done();
   reading.scene.plane = plane.value_or(Plane::stress);
@@ -65,6 +65,8 @@ Scene parse_scene(const std::string& text, const std::string& file) {
   return scene;
 }
 
-Scene read_scene(const std::string& file) { return parse_scene(read_text_file(file, "a scene file (TOML)"), file); }
+Scene read_scene(const std::string& file) {
+  return parse_scene(read_text_file(file, "a scene file (TOML)"), file);
+}
 
 }  // namespace femsph

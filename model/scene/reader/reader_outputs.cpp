@@ -12,30 +12,36 @@ namespace femsph::scene_reader {
 namespace {
 
 std::optional<Quantity> read_observed(Fields& fields) {
-  return fields.choice<Quantity>("quantity", Need::required,
-                                 {{"displacement", Quantity::displacement},
-                                  {"velocity", Quantity::velocity},
-                                  {"stress", Quantity::stress},
-                                  {"strain", Quantity::strain},
-                                  {"plastic_strain", Quantity::plastic_strain},
-                                  {"equivalent_stress", Quantity::equivalent_stress},
-                                  {"principal_stress", Quantity::principal_stress}});
+  return fields.choice<Quantity>(
+      "quantity", Need::required,
+      {{"displacement", Quantity::displacement},
+       {"velocity", Quantity::velocity},
+       {"stress", Quantity::stress},
+       {"strain", Quantity::strain},
+       {"plastic_strain", Quantity::plastic_strain},
+       {"equivalent_stress", Quantity::equivalent_stress},
+       {"principal_stress", Quantity::principal_stress}});
 }
 
-const std::vector<std::pair<std::string, StressReading>> stress_readings{{"recovered", StressReading::recovered}, {"raw", StressReading::raw}};
+const std::vector<std::pair<std::string, StressReading>> stress_readings{
+    {"recovered", StressReading::recovered}, {"raw", StressReading::raw}};
 
 /// How stress and strain are read there; of a displacement it would say nothing.
 StressReading read_reading(Fields& fields, std::optional<Quantity> quantity, const Reading& reading) {
   const auto own = fields.choice<StressReading>("reading", Need::optional, stress_readings);
   if (quantity && !on_material(*quantity) && fields.has("reading"))
-    fields.fault("reading", "\"reading\" says how stress and strain are read, and this reads neither; expected no such key");
+    fields.fault(
+        "reading",
+        "\"reading\" says how stress and strain are read, and this reads neither; expected no such key");
   return own.value_or(reading.stress);
 }
 
 bool taken(const std::string& name, const Scene& scene) {
   const auto same = [&](const auto& observer) { return observer.name == name; };
-  return std::any_of(scene.probes.begin(), scene.probes.end(), same) || std::any_of(scene.sections.begin(), scene.sections.end(), same) ||
-         std::any_of(scene.bodies.begin(), scene.bodies.end(), [&](const Body& body) { return body.rigid && body.name == name; });
+  return std::any_of(scene.probes.begin(), scene.probes.end(), same) ||
+         std::any_of(scene.sections.begin(), scene.sections.end(), same) ||
+         std::any_of(scene.bodies.begin(), scene.bodies.end(),
+                     [&](const Body& body) { return body.rigid && body.name == name; });
 }
 
 // Names become columns and files; probes and sections share one namespace.
@@ -46,15 +52,21 @@ std::string read_name(Fields& fields, const Scene& scene) {
   if (!usable_name(*name))
     fields.fault("name", fmt::format("the name {} cannot be used; expected {}", in_quotes(*name), expected));
   else if (taken(*name, scene))
-    fields.fault("name", fmt::format("the name {} is taken; expected a name that no other probe, section or rigid body has", in_quotes(*name)));
+    fields.fault(
+        "name",
+        fmt::format("the name {} is taken; expected a name that no other probe, section or rigid body has",
+                    in_quotes(*name)));
   return *name;
 }
 
-bool inside(const Point& p, const Body& body) { return body.shape->contains(p, point_tolerance(*body.shape)); }
+bool inside(const Point& p, const Body& body) {
+  return body.shape->contains(p, point_tolerance(*body.shape));
+}
 
 void check_line(const Fields& fields, const Section& section, const Reading& reading) {
   const Body& body = reading.scene.bodies[section.body];
-  if (section.from == section.to) fields.fault("to", "\"to\" is the same point as \"from\"; expected the other end of a line");
+  if (section.from == section.to)
+    fields.fault("to", "\"to\" is the same point as \"from\"; expected the other end of a line");
   require_inside(fields, "from", section.from, section.body, reading);
   require_inside(fields, "to", section.to, section.body, reading);
   if (!body.shape || !inside(section.from, body) || !inside(section.to, body)) return;
@@ -64,7 +76,9 @@ void check_line(const Fields& fields, const Section& section, const Reading& rea
     Point p;
     for (int c = 0; c < 3; ++c) p[c] = section.from[c] + (section.to[c] - section.from[c]) * i / steps;
     if (inside(p, body)) continue;
-    fields.fault("from", fmt::format("the section leaves body {} between its ends; expected a line inside the body", in_quotes(body.name)));
+    fields.fault(
+        "from", fmt::format("the section leaves body {} between its ends; expected a line inside the body",
+                            in_quotes(body.name)));
     return;
   }
 }
@@ -77,10 +91,15 @@ bool usable_name(const std::string& name) {
 }
 
 void read_output(Fields& root, Reading& reading) {
-  auto output = root.table("output", Need::optional, "a table with reading = \"recovered\" or \"raw\", or fields = \"raw\" or \"both\"");
+  auto output = root.table(
+      "output", Need::optional,
+      "a table with reading = \"recovered\" or \"raw\", or fields = \"raw\" or \"both\"");
   if (!output) return;
-  reading.stress = output->choice<StressReading>("reading", Need::optional, stress_readings).value_or(reading.stress);
-  reading.scene.recovered_fields = output->choice<bool>("fields", Need::optional, {{"raw", false}, {"both", true}}).value_or(reading.scene.recovered_fields);
+  reading.stress =
+      output->choice<StressReading>("reading", Need::optional, stress_readings).value_or(reading.stress);
+  reading.scene.recovered_fields =
+      output->choice<bool>("fields", Need::optional, {{"raw", false}, {"both", true}})
+          .value_or(reading.scene.recovered_fields);
   output->done();
 }
 

@@ -12,10 +12,13 @@ namespace {
 
 const std::string whole_body = "all";
 
-bool opposite(const std::string& a, const std::string& b) { return a.size() == 2 && b.size() == 2 && a[0] == b[0] && a[1] != b[1]; }
+bool opposite(const std::string& a, const std::string& b) {
+  return a.size() == 2 && b.size() == 2 && a[0] == b[0] && a[1] != b[1];
+}
 
-// Sides meet where a point lies on all of them. The cells of a shape that has some show whether there is one (an L-shape
-// has no corner where x+ and y+ meet); the bounding sides of a convex shape meet unless they face each other.
+// Sides meet where a point lies on all of them. The cells of a shape that has some show whether there is one
+// (an L-shape has no corner where x+ and y+ meet); the bounding sides of a convex shape meet unless they face
+// each other.
 bool meet(const Shape& shape, const std::vector<std::string>& sides) {
   const CellMesh* mesh = shape.cells();
   if (!mesh) {
@@ -26,11 +29,13 @@ bool meet(const Shape& shape, const std::vector<std::string>& sides) {
   }
   const double tolerance = point_tolerance(shape);
   return std::any_of(mesh->vertices.begin(), mesh->vertices.end(), [&](const Point& p) {
-    return std::all_of(sides.begin(), sides.end(), [&](const std::string& side) { return shape.on_side(side, p, tolerance); });
+    return std::all_of(sides.begin(), sides.end(),
+                       [&](const std::string& side) { return shape.on_side(side, p, tolerance); });
   });
 }
 
-/// A word for a side, as the shape calls it: a side's own name, or a group of a mesh by its name or number. Nothing if it is none.
+/// A word for a side, as the shape calls it: a side's own name, or a group of a mesh by its name or number.
+/// Nothing if it is none.
 std::optional<std::string> side_named(const Shape& shape, const std::string& word) {
   const std::vector<std::string> sides = shape.sides();
   if (const CellMesh* mesh = shape.cells())
@@ -48,19 +53,26 @@ std::optional<std::string> in_vain(const Shape& shape, const std::string& word) 
   return {};
 }
 
-/// "at" word by word; a physical name may hold blanks, so that the whole of "at" is one. Words that could be read in both ways are refused.
-std::optional<std::vector<std::string>> words_of(const Fields& fields, const std::string& at, const Shape& shape) {
+/// "at" word by word; a physical name may hold blanks, so that the whole of "at" is one. Words that could be
+/// read in both ways are refused.
+std::optional<std::vector<std::string>> words_of(const Fields& fields, const std::string& at,
+                                                 const Shape& shape) {
   std::vector<std::string> words;
   std::istringstream stream(at);
   for (std::string word; stream >> word;) words.push_back(word);
   if (words.size() < 2 || (!side_named(shape, at) && !in_vain(shape, at))) return words;
-  if (std::all_of(words.begin(), words.end(), [&](const std::string& word) { return side_named(shape, word) || in_vain(shape, word) || word == whole_body; }))
-    return fields.fault("at", fmt::format("{} is the name of a physical group, and several sides; expected the group's number, or another name for it", in_quotes(at))),
+  if (std::all_of(words.begin(), words.end(), [&](const std::string& word) {
+        return side_named(shape, word) || in_vain(shape, word) || word == whole_body;
+      }))
+    return fields.fault("at", fmt::format("{} is the name of a physical group, and several sides; expected "
+                                          "the group's number, or another name for it",
+                                          in_quotes(at))),
            std::nullopt;
   return std::vector<std::string>{at};
 }
 
-std::optional<std::vector<std::string>> read_sides(const Fields& fields, const std::string& at, const Shape& shape) {
+std::optional<std::vector<std::string>> read_sides(const Fields& fields, const std::string& at,
+                                                   const Shape& shape) {
   std::vector<std::string> sides, known = shape.sides();
   known.push_back(whole_body);
   const auto words = words_of(fields, at, shape);
@@ -69,16 +81,21 @@ std::optional<std::vector<std::string>> read_sides(const Fields& fields, const s
     if (const auto why = in_vain(shape, word)) return fields.fault("at", *why), std::nullopt;
     const std::optional<std::string> side = word == whole_body ? word : side_named(shape, word);
     if (!side)
-      return fields.fault("at", fmt::format("unknown side {}; expected {}{}", in_quotes(word), one_of(known), did_you_mean(word, known))),
+      return fields.fault("at", fmt::format("unknown side {}; expected {}{}", in_quotes(word), one_of(known),
+                                            did_you_mean(word, known))),
              std::nullopt;
     if (std::find(sides.begin(), sides.end(), *side) != sides.end())
-      return fields.fault("at", fmt::format("side {} is given twice; expected each side once", in_quotes(word))), std::nullopt;
+      return fields.fault(
+                 "at", fmt::format("side {} is given twice; expected each side once", in_quotes(word))),
+             std::nullopt;
     sides.push_back(*side);
   }
-  if (sides.empty()) return fields.fault("at", fmt::format("\"at\" is empty; expected {}", one_of(known))), std::nullopt;
+  if (sides.empty())
+    return fields.fault("at", fmt::format("\"at\" is empty; expected {}", one_of(known))), std::nullopt;
   if (std::find(sides.begin(), sides.end(), whole_body) != sides.end()) {
     if (sides.size() > 1)
-      return fields.fault("at", "\"all\" is given with other sides; expected \"all\" alone or sides alone"), std::nullopt;
+      return fields.fault("at", "\"all\" is given with other sides; expected \"all\" alone or sides alone"),
+             std::nullopt;
     return std::vector<std::string>{};
   }
   if (meet(shape, sides)) return sides;
@@ -98,11 +115,15 @@ std::optional<Place> read_place(Fields& fields, const Reading& reading) {
   const auto at = fields.text("at", by_point || rigid ? Need::optional : Need::required, expected);
   const auto point = fields.vector("point", Need::optional, dimension::length, reading.dim);
   const auto within = fields.corners("within", Need::optional, dimension::length, reading.dim);
-  if (both) return fields.fault("point", "both \"at\" and \"point\" are given; expected one of them"), std::nullopt;
+  if (both)
+    return fields.fault("point", "both \"at\" and \"point\" are given; expected one of them"), std::nullopt;
   if (rigid) {
     if (point || at.value_or(whole_body) != whole_body)
-      return fields.fault(by_point ? "point" : "at", fmt::format("part of body {}, which is rigid; expected \"all\", which stands for its centre",
-                                                                 in_quotes(reading.scene.bodies[*body].name))), std::nullopt;
+      return fields.fault(
+                 by_point ? "point" : "at",
+                 fmt::format("part of body {}, which is rigid; expected \"all\", which stands for its centre",
+                             in_quotes(reading.scene.bodies[*body].name))),
+             std::nullopt;
     return Place{*body, {}, {}, fields.source("body")};
   }
   if (!body || (!at && !point)) return {};
@@ -111,7 +132,8 @@ std::optional<Place> read_place(Fields& fields, const Reading& reading) {
   place.body = *body;
   place.point = point;
   if (within) place.within = Region{within->first, within->second};
-  if (point && fields.has("within")) fields.fault("within", "\"within\" with \"point\"; expected it only with \"at\"");
+  if (point && fields.has("within"))
+    fields.fault("within", "\"within\" with \"point\"; expected it only with \"at\"");
   place.source = fields.source(by_point ? "point" : "at");
   const Shape* shape = reading.scene.bodies[*body].shape.get();
   if (!shape) return place;

@@ -6,19 +6,20 @@
 #include <string>
 #include <vector>
 
-#include "model/scene/scene.hpp"
 #include "model/input/toml_fields.hpp"
+#include "model/scene/scene.hpp"
 
 namespace femsph::scene_reader {
 
-/// What the parts share while one file is read. After a fault the scene holds stand-ins (a body without a shape, a material with
-/// unit values), so that whatever refers to them by name is still checked and not reported for their sake.
+/// What the parts share while one file is read. After a fault the scene holds stand-ins (a body without a
+/// shape, a material with unit values), so that whatever refers to them by name is still checked and not
+/// reported for their sake.
 struct Reading {
   Scene& scene;
   Faults& faults;
-  std::filesystem::path folder;  ///< of the file: mesh paths start here
-  int dim = 0;                   ///< 0: the plane of the scene is itself at fault
-  bool motion_known = false;     ///< false: "motion" of the scene is itself at fault
+  std::filesystem::path folder;                     ///< of the file: mesh paths start here
+  int dim = 0;                                      ///< 0: the plane of the scene is itself at fault
+  bool motion_known = false;                        ///< false: "motion" of the scene is itself at fault
   StressReading stress = StressReading::recovered;  ///< of probes and sections that do not say
 };
 
@@ -55,7 +56,8 @@ std::optional<std::size_t> read_body_of(Fields& fields, const Reading& reading);
 /// body, and at or point.
 std::optional<Place> read_place(Fields& fields, const Reading& reading);
 /// Adds a fault unless the point lies in the body (or the body's shape is unknown after a fault of its own).
-void require_inside(const Fields& fields, const char* key, const Point& point, std::size_t body, const Reading& reading);
+void require_inside(const Fields& fields, const char* key, const Point& point, std::size_t body,
+                    const Reading& reading);
 /// Points this near to a shape count as on it, m: far above rounding, far below any spacing.
 double point_tolerance(const Shape& shape);
 

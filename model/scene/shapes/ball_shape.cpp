@@ -20,13 +20,17 @@ class Lump {
  public:
   explicit Lump(double size) : grid_(1e-6 * size) {}
 
-  /// n[0] x n[1] x n[2] cells: at(r, s, t) for r, s, t from 0 to 1. `mirrored`: at() turns the corners left-handed.
-  void block(const std::array<int, 3>& n, bool mirrored, const std::function<Point(double, double, double)>& at) {
+  /// n[0] x n[1] x n[2] cells: at(r, s, t) for r, s, t from 0 to 1. `mirrored`: at() turns the corners
+  /// left-handed.
+  void block(const std::array<int, 3>& n, bool mirrored,
+             const std::function<Point(double, double, double)>& at) {
     for (int k = 0; k < n[2]; ++k)
       for (int j = 0; j < n[1]; ++j)
         for (int i = 0; i < n[0]; ++i) {
           std::array<int, 8> cell;
-          for (int c = 0; c < 8; ++c) cell[c ^ int(mirrored)] = vertex(at(double(i + (c & 1)) / n[0], double(j + (c >> 1 & 1)) / n[1], double(k + (c >> 2)) / n[2]));
+          for (int c = 0; c < 8; ++c)
+            cell[c ^ int(mirrored)] = vertex(
+                at(double(i + (c & 1)) / n[0], double(j + (c >> 1 & 1)) / n[1], double(k + (c >> 2)) / n[2]));
           mesh.cells.push_back(cell);
         }
   }
@@ -38,7 +42,9 @@ class Lump {
     for (const long i : {0, -1, 1})
       for (const long j : {0, -1, 1})
         for (const long k : {0, -1, 1})
-          if (const auto known = at_.find({near(p[0]) + i, near(p[1]) + j, near(p[2]) + k}); known != at_.end()) return known->second;
+          if (const auto known = at_.find({near(p[0]) + i, near(p[1]) + j, near(p[2]) + k});
+              known != at_.end())
+            return known->second;
     mesh.vertices.push_back(p);
     return at_[{near(p[0]), near(p[1]), near(p[2])}] = int(mesh.vertices.size()) - 1;
   }
@@ -46,7 +52,8 @@ class Lump {
   std::map<std::tuple<long, long, long>, int> at_;
 };
 
-/// The cube in the middle of an octant, its free edges and corner drawn in: along an axis 0.55, over an edge 0.43, at the corner 0.37 each.
+/// The cube in the middle of an octant, its free edges and corner drawn in: along an axis 0.55, over an edge
+/// 0.43, at the corner 0.37 each.
 Point core(double r, double s, double t) {
   const double x[3] = {r, s, t};
   Point p{};
@@ -60,12 +67,15 @@ Point core(double r, double s, double t) {
 /// From the cube's face x = 1 out to the rim, sectors of even angle along the edges.
 Point crust(double out, double s, double t) {
   const Point inner = core(1, s, t);
-  const double u = std::tan(0.25 * pi * s), v = std::tan(0.25 * pi * t), length = std::sqrt(1 + u * u + v * v);
-  return {(1 - out) * inner[0] + out / length, (1 - out) * inner[1] + out * u / length, (1 - out) * inner[2] + out * v / length};
+  const double u = std::tan(0.25 * pi * s), v = std::tan(0.25 * pi * t),
+               length = std::sqrt(1 + u * u + v * v);
+  return {(1 - out) * inner[0] + out / length, (1 - out) * inner[1] + out * u / length,
+          (1 - out) * inner[2] + out * v / length};
 }
 
-/// The Moebius map of the unit ball onto itself that shrinks lengths by `finer` at the pole (0, 0, -1) and stretches them as much at the other: a
-/// translation of hyperbolic space along z. It keeps angles, so cells keep their shapes (Ratcliffe, Foundations of Hyperbolic Manifolds, 4.5.5).
+/// The Moebius map of the unit ball onto itself that shrinks lengths by `finer` at the pole (0, 0, -1) and
+/// stretches them as much at the other: a translation of hyperbolic space along z. It keeps angles, so cells
+/// keep their shapes (Ratcliffe, Foundations of Hyperbolic Manifolds, 4.5.5).
 Point drawn_to_pole(const Point& x, double finer) {
   const double b = -(finer - 1) / (finer + 1), xb = x[2] * b, xx = x[0] * x[0] + x[1] * x[1] + x[2] * x[2];
   const double below = 1 + 2 * xb + b * b * xx, keep = (1 - b * b) / below;
@@ -75,7 +85,8 @@ Point drawn_to_pole(const Point& x, double finer) {
 }  // namespace
 
 std::array<double, 3> OwnBall::own(const Point& p) const {
-  return {p[first()] - size_.centre[first()], p[second()] - size_.centre[second()], p[size_.axis] - size_.centre[size_.axis]};
+  return {p[first()] - size_.centre[first()], p[second()] - size_.centre[second()],
+          p[size_.axis] - size_.centre[size_.axis]};
 }
 
 Point OwnBall::place(double a, double b, double along) const {
@@ -120,12 +131,14 @@ Point OwnBall::centroid() const {
 
 std::string OwnBall::describe() const {
   const char* part = size_.part == Part::whole ? "" : size_.part == Part::half ? "half " : "quarter ";
-  return fmt::format("{}ball of radius {:g} mm", part, 1e3 * size_.radius) + (size_.finer > 1 ? fmt::format(", {:g} times finer at {}-", size_.finer, "xyz"[size_.axis]) : "");
+  return fmt::format("{}ball of radius {:g} mm", part, 1e3 * size_.radius) +
+         (size_.finer > 1 ? fmt::format(", {:g} times finer at {}-", size_.finer, "xyz"[size_.axis]) : "");
 }
 
 CellMesh OwnBall::mesh(const std::array<int, 3>& divisions) const {
   for (const int n : divisions)
-    if (n < 1) throw std::runtime_error(fmt::format("the {} needs at least one cell along each axis", describe()));
+    if (n < 1)
+      throw std::runtime_error(fmt::format("the {} needs at least one cell along each axis", describe()));
   const double size = 2.0 / divisions[size_.axis];  // of a unit ball's cells
   const auto count = [&](double length) { return std::max(1, int(std::lround(length / size))); };
   const int n = count(0.65), m = count(0.42);

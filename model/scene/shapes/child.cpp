@@ -20,7 +20,8 @@ void limit(decltype(RLIMIT_CPU) what, rlim_t most) {
   setrlimit(what, &now);
 }
 
-#if !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__) && !defined(FEMSPH_FUZZING)  // their shadow is terabytes
+#if !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__) && \
+    !defined(FEMSPH_FUZZING)  // their shadow is terabytes
 std::size_t address_space() {
   std::size_t pages = 0;
   if (std::FILE* file = std::fopen("/proc/self/statm", "r")) {
@@ -32,7 +33,8 @@ std::size_t address_space() {
 #endif
 
 void confine(const ChildLimits& limits) {
-  for (const int signal : {SIGINT, SIGTERM, SIGHUP, SIGALRM, SIGSEGV, SIGABRT, SIGFPE, SIGILL, SIGBUS}) std::signal(signal, SIG_DFL);
+  for (const int signal : {SIGINT, SIGTERM, SIGHUP, SIGALRM, SIGSEGV, SIGABRT, SIGFPE, SIGILL, SIGBUS})
+    std::signal(signal, SIG_DFL);
   limit(RLIMIT_CORE, 0);
   limit(RLIMIT_CPU, limits.seconds);
   alarm(20 * limits.seconds);

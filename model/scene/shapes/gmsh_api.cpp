@@ -43,7 +43,8 @@ ElementType properties_of(int type) {
   ElementType properties;
   int dim, order, primary;
   std::vector<double> coordinates;
-  gmsh::model::mesh::getElementProperties(type, properties.name, dim, order, properties.nodes, coordinates, primary);
+  gmsh::model::mesh::getElementProperties(
+      type, properties.name, dim, order, properties.nodes, coordinates, primary);
   return properties;
 }
 
@@ -56,12 +57,16 @@ Vertices::Vertices(double unit, const std::string& file) : file_(file) {
   std::vector<std::size_t> tags;
   std::vector<double> x, parametric;
   gmsh::model::mesh::getNodes(tags, x, parametric, -1, -1, false, false);
-  for (std::size_t i = 0; i < tags.size(); ++i) place_[tags[i]] = {x[3 * i] * unit, x[3 * i + 1] * unit, x[3 * i + 2] * unit};
+  for (std::size_t i = 0; i < tags.size(); ++i)
+    place_[tags[i]] = {x[3 * i] * unit, x[3 * i + 1] * unit, x[3 * i + 2] * unit};
 }
 
 int Vertices::use(std::size_t tag, CellMesh& mesh) {
   const auto place = place_.find(tag);
-  if (place == place_.end()) throw std::runtime_error(fmt::format("a cell of {} uses vertex {}, which the file does not hold; expected a mesh saved by Gmsh", in_quotes(file_), tag));
+  if (place == place_.end())
+    throw std::runtime_error(fmt::format(
+        "a cell of {} uses vertex {}, which the file does not hold; expected a mesh saved by Gmsh",
+        in_quotes(file_), tag));
   const auto [number, is_new] = number_.try_emplace(tag, int(mesh.vertices.size()));
   if (is_new) mesh.vertices.push_back(place->second), mesh.vertex_numbers.push_back(tag);
   return number->second;

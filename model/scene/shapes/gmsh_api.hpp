@@ -1,5 +1,6 @@
 #pragma once
-// The few calls of Gmsh's API that the reader of meshes makes; only gmsh*.cpp include this, and call it in the child process.
+// The few calls of Gmsh's API that the reader of meshes makes; only gmsh*.cpp include this, and call it in
+// the child process.
 
 #include <string>
 #include <unordered_map>

@@ -1,5 +1,5 @@
-// Physical groups of a mesh: which words a place can use for which, and why it cannot use the others. A word that could mean two things means
-// neither, and nothing is said of it until a place uses it.
+// Physical groups of a mesh: which words a place can use for which, and why it cannot use the others. A word
+// that could mean two things means neither, and nothing is said of it until a place uses it.
 
 #include <fmt/format.h>
 #include <gmsh.h>
@@ -31,31 +31,36 @@ struct Group {
   std::string number() const { return std::to_string(tag); }
 };
 
-std::string text_of(const Group& group, const std::string& file) { return fmt::format("physical group {} of {}", group.tag, in_quotes(file)); }
+std::string text_of(const Group& group, const std::string& file) {
+  return fmt::format("physical group {} of {}", group.tag, in_quotes(file));
+}
 
 // Facets of a block that are listed in this group.
-void add_facets(Group& group, const Block& block, const std::function<bool(std::size_t)>& listed, const CellMesh& mesh, const Vertices& vertices,
-                const std::string& file) {
+void add_facets(Group& group, const Block& block, const std::function<bool(std::size_t)>& listed,
+                const CellMesh& mesh, const Vertices& vertices, const std::string& file) {
   const int corners = corners_of(block.type);
   for (std::size_t i = 0; i < block.numbers.size() && group.fault.empty(); ++i) {
     if (!listed(block.numbers[i])) continue;
     if (block.type != (mesh.dim == 2 ? gmsh_line : gmsh_quad)) {
-      group.fault = fmt::format("{} holds facets of type {}; expected linear {}", text_of(group, file), type_name(block.type),
-                                mesh.dim == 2 ? "lines" : "quadrilaterals");
+      group.fault = fmt::format("{} holds facets of type {}; expected linear {}", text_of(group, file),
+                                type_name(block.type), mesh.dim == 2 ? "lines" : "quadrilaterals");
       return;
     }
     CellMesh::Facet facet{{-1, -1, -1, -1}, -1};
-    for (int v = 0; v < corners; ++v) facet.vertices[around_to_lexicographic[v]] = vertices.used(block.nodes[i * corners + v]);
+    for (int v = 0; v < corners; ++v)
+      facet.vertices[around_to_lexicographic[v]] = vertices.used(block.nodes[i * corners + v]);
     group.facets.push_back(facet);
     group.numbers.push_back(block.numbers[i]);
   }
 }
 
-// Versions 1 and 2 list the group with each element. Gmsh keeps it with the element's entity, and two groups of one entity become one: so the
-// file's own words count. Later ones keep groups with entities.
-void read_facets(std::vector<Group>& groups, const CellMesh& mesh, const Vertices& vertices, const MshFacts& facts, const std::string& file) {
+// Versions 1 and 2 list the group with each element. Gmsh keeps it with the element's entity, and two groups
+// of one entity become one: so the file's own words count. Later ones keep groups with entities.
+void read_facets(std::vector<Group>& groups, const CellMesh& mesh, const Vertices& vertices,
+                 const MshFacts& facts, const std::string& file) {
   std::unordered_map<std::size_t, int> listed;
-  for (std::size_t i = 0; i < facts.groups.size(); ++i) listed[facts.numbers[i]] = std::abs(facts.groups[i]);  // a sign turns the element
+  for (std::size_t i = 0; i < facts.groups.size(); ++i)
+    listed[facts.numbers[i]] = std::abs(facts.groups[i]);  // a sign turns the element
   const std::vector<Block> all = facts.lists_groups() ? elements(mesh.dim - 1) : std::vector<Block>{};
   for (Group& group : groups) {
     if (group.dim != mesh.dim - 1) continue;
@@ -65,10 +70,14 @@ void read_facets(std::vector<Group>& groups, const CellMesh& mesh, const Vertice
     };
     for (const Block& block : all) add_facets(group, block, in_group, mesh, vertices, file);
     std::vector<int> entities;
-    if (!facts.lists_groups() && group.known) gmsh::model::getEntitiesForPhysicalGroup(group.dim, group.tag, entities);
+    if (!facts.lists_groups() && group.known)
+      gmsh::model::getEntitiesForPhysicalGroup(group.dim, group.tag, entities);
     for (const int entity : entities)
-      for (const Block& block : elements(group.dim, entity)) add_facets(group, block, [](std::size_t) { return true; }, mesh, vertices, file);
-    if (group.facets.empty() && group.fault.empty()) group.fault = fmt::format("{} holds no elements; expected sides of cells", text_of(group, file));
+      for (const Block& block : elements(group.dim, entity))
+        add_facets(
+            group, block, [](std::size_t) { return true; }, mesh, vertices, file);
+    if (group.facets.empty() && group.fault.empty())
+      group.fault = fmt::format("{} holds no elements; expected sides of cells", text_of(group, file));
   }
 }
 
@@ -85,10 +94,13 @@ void require_sides_of_cells(std::vector<Group>& groups, const CellMesh& mesh, co
   for (Group& group : groups)
     for (std::size_t i = 0; i < group.facets.size() && group.fault.empty(); ++i)
       if (!known[side_key(group.facets[i].vertices, mesh.dim)])
-        group.fault = fmt::format("{} holds element {}, which is the side of no cell; expected sides of cells alone", text_of(group, file), group.numbers[i]);
+        group.fault = fmt::format(
+            "{} holds element {}, which is the side of no cell; expected sides of cells alone",
+            text_of(group, file), group.numbers[i]);
 }
 
-std::vector<Group> read_all(const CellMesh& mesh, const Vertices& vertices, const MshFacts& facts, const std::string& file) {
+std::vector<Group> read_all(const CellMesh& mesh, const Vertices& vertices, const MshFacts& facts,
+                            const std::string& file) {
   gmsh::vectorpair pairs;
   gmsh::model::getPhysicalGroups(pairs);
   std::set<std::pair<int, int>> all(pairs.begin(), pairs.end());
@@ -99,7 +111,9 @@ std::vector<Group> read_all(const CellMesh& mesh, const Vertices& vertices, cons
     group.dim = dim, group.tag = tag;
     group.known = std::find(pairs.begin(), pairs.end(), std::pair(dim, tag)) != pairs.end();
     if (dim != mesh.dim - 1)
-      group.fault = fmt::format("{} holds {} and no sides of cells; expected a group of {}", text_of(group, file), kind_of(dim, mesh.dim), kind_of(mesh.dim - 1, mesh.dim));
+      group.fault = fmt::format(
+          "{} holds {} and no sides of cells; expected a group of {}", text_of(group, file),
+          kind_of(dim, mesh.dim), kind_of(mesh.dim - 1, mesh.dim));
     groups.push_back(std::move(group));
   }
   read_facets(groups, mesh, vertices, facts, file);
@@ -125,7 +139,9 @@ bool is_that_side(const Group& group, const std::string& side, const CellMesh& m
   for (const auto& facet : group.facets)
     for (int v = 0; v < 1 << (mesh.dim - 1); ++v) in_group[facet.vertices[v]] = 1;
   for (std::size_t v = 0; v < mesh.vertices.size(); ++v)
-    if (in_group[v] != (std::abs(mesh.vertices[v][axis] - (side[1] == '-' ? low : high)) <= 1e-6 * (high - low))) return false;
+    if (in_group[v] !=
+        (std::abs(mesh.vertices[v][axis] - (side[1] == '-' ? low : high)) <= 1e-6 * (high - low)))
+      return false;
   return true;
 }
 
@@ -148,16 +164,19 @@ void read_groups(CellMesh& mesh, const Vertices& vertices, const MshFacts& facts
   for (int g = 0; g < int(groups.size()); ++g) {
     std::set<std::string> names;
     for (const auto& line : facts.names)
-      if (line.dim == groups[g].dim && line.tag == groups[g].tag && !line.text.empty()) names.insert(line.text), meanings[line.text].insert(g);
+      if (line.dim == groups[g].dim && line.tag == groups[g].tag && !line.text.empty())
+        names.insert(line.text), meanings[line.text].insert(g);
     if (names.size() == 1) name[g] = *names.begin();
     if (groups[g].dim == mesh.dim - 1) meanings[groups[g].number()].insert(g);
     for (const std::string& word : names)
       if (names.size() > 1)
-        mesh.vain_words.emplace_back(word, fmt::format("{} is one of several names of {}; expected its number, \"{}\"", in_quotes(word),
-                                                       text_of(groups[g], file), groups[g].tag));
+        mesh.vain_words.emplace_back(
+            word, fmt::format("{} is one of several names of {}; expected its number, \"{}\"",
+                              in_quotes(word), text_of(groups[g], file), groups[g].tag));
   }
   const auto in_vain = [&](const std::string& word) {
-    return std::any_of(mesh.vain_words.begin(), mesh.vain_words.end(), [&](const auto& vain) { return vain.first == word; });
+    return std::any_of(
+        mesh.vain_words.begin(), mesh.vain_words.end(), [&](const auto& vain) { return vain.first == word; });
   };
   const std::vector<std::string> standing = words_of_shapes(mesh.dim);
   std::map<std::string, int> meant;  // what is left
@@ -166,16 +185,21 @@ void read_groups(CellMesh& mesh, const Vertices& vertices, const MshFacts& facts
     if (in_vain(word)) continue;
     if (std::find(standing.begin(), standing.end(), word) != standing.end()) {
       if (of.size() == 1 && is_that_side(first, word, mesh)) continue;
-      mesh.vain_words.emplace_back(word, fmt::format("{} is {} and, in {}, the name of physical group {}; expected the group's number, or another name for it", in_quotes(word),
-                                                     word == "all" ? "the whole body" : "a side of the bounding box", in_quotes(file),
-                                                     list_of(of, groups, mesh.dim)));
+      mesh.vain_words.emplace_back(
+          word, fmt::format("{} is {} and, in {}, the name of physical group {}; expected the group's "
+                            "number, or another name for it",
+                            in_quotes(word), word == "all" ? "the whole body" : "a side of the bounding box",
+                            in_quotes(file), list_of(of, groups, mesh.dim)));
     } else if (of.size() > 1) {
       std::vector<std::string> numbers;
       for (const int g : of)
         if (groups[g].dim == mesh.dim - 1) numbers.push_back(groups[g].number());
-      mesh.vain_words.emplace_back(word, fmt::format("{} means physical groups {} of {}; expected {}names that differ", in_quotes(word),
-                                                     list_of(of, groups, mesh.dim), in_quotes(file),
-                                                     numbers.empty() ? "" : fmt::format("the number of a group of {}, {}, or ", kind_of(mesh.dim - 1, mesh.dim), one_of(numbers))));
+      mesh.vain_words.emplace_back(
+          word, fmt::format("{} means physical groups {} of {}; expected {}names that differ",
+                            in_quotes(word), list_of(of, groups, mesh.dim), in_quotes(file),
+                            numbers.empty() ? ""
+                                            : fmt::format("the number of a group of {}, {}, or ",
+                                                          kind_of(mesh.dim - 1, mesh.dim), one_of(numbers))));
     } else if (!first.fault.empty()) {
       mesh.vain_words.emplace_back(word, first.fault);
     } else {
@@ -183,7 +207,8 @@ void read_groups(CellMesh& mesh, const Vertices& vertices, const MshFacts& facts
     }
   }
   for (int g = 0; g < int(groups.size()); ++g) {
-    const bool by_name = !name[g].empty() && meant.count(name[g]), by_number = meant.count(groups[g].number()) && meant[groups[g].number()] == g;
+    const bool by_name = !name[g].empty() && meant.count(name[g]),
+               by_number = meant.count(groups[g].number()) && meant[groups[g].number()] == g;
     if (groups[g].dim != mesh.dim - 1 || (!by_name && !by_number)) continue;
     const int index = int(mesh.groups.size());
     mesh.groups.push_back(by_name ? name[g] : groups[g].number());

@@ -17,12 +17,16 @@ std::vector<T> take(const std::string& bytes, std::size_t& at) {
   std::size_t n = 0;
   std::memcpy(&n, bytes.data() + at, sizeof n);
   std::vector<T> list(n);
-  if (n > 0) std::memcpy(list.data(), bytes.data() + at + sizeof n, n * sizeof(T));  // an empty list may hold no address
+  if (n > 0)
+    std::memcpy(list.data(), bytes.data() + at + sizeof n,
+                n * sizeof(T));  // an empty list may hold no address
   at += sizeof n + n * sizeof(T);
   return list;
 }
 
-void put(std::string& bytes, const std::string& text) { put(bytes, std::vector<char>(text.begin(), text.end())); }
+void put(std::string& bytes, const std::string& text) {
+  put(bytes, std::vector<char>(text.begin(), text.end()));
+}
 
 std::string take_text(const std::string& bytes, std::size_t& at) {
   const std::vector<char> text = take<char>(bytes, at);

@@ -1,5 +1,6 @@
 #pragma once
-// A mesh as bytes, from the process that reads it to the one that wants it: the lengths of its lists, then what they hold.
+// A mesh as bytes, from the process that reads it to the one that wants it: the lengths of its lists, then
+// what they hold.
 
 #include <string>
 

@@ -25,21 +25,25 @@ void require_distinct_corners(const CellMesh& mesh, int c, const std::string& fi
   const auto& cell = mesh.cells[c];
   const int corners = 1 << mesh.dim;
   double longest = 0;
-  for (int a = 1; a < corners; ++a) longest = std::max(longest, distance(mesh.vertices[cell[0]], mesh.vertices[cell[a]]));
+  for (int a = 1; a < corners; ++a)
+    longest = std::max(longest, distance(mesh.vertices[cell[0]], mesh.vertices[cell[a]]));
   for (int a = 0; a < corners; ++a)
     for (int b = a + 1; b < corners; ++b) {
       if (cell[a] == cell[b])
-        throw std::runtime_error(fmt::format("cell {} of {} uses vertex {} twice; expected {} different corners", cell_number(mesh, c),
-                                             in_quotes(file), vertex_number(mesh, cell[a]), corners));
+        throw std::runtime_error(fmt::format(
+            "cell {} of {} uses vertex {} twice; expected {} different corners", cell_number(mesh, c),
+            in_quotes(file), vertex_number(mesh, cell[a]), corners));
       if (distance(mesh.vertices[cell[a]], mesh.vertices[cell[b]]) <= 1e-9 * longest)
-        throw std::runtime_error(fmt::format("cell {} of {} has two corners at one place, {}, vertices {} and {}; expected {} different corners",
-                                             cell_number(mesh, c), in_quotes(file), place_text(mesh.vertices[cell[a]], mesh.dim),
-                                             vertex_number(mesh, cell[a]), vertex_number(mesh, cell[b]), corners));
+        throw std::runtime_error(fmt::format(
+            "cell {} of {} has two corners at one place, {}, vertices {} and {}; expected {} "
+            "different corners",
+            cell_number(mesh, c), in_quotes(file), place_text(mesh.vertices[cell[a]], mesh.dim),
+            vertex_number(mesh, cell[a]), vertex_number(mesh, cell[b]), corners));
     }
 }
 
-// Turns mirrored cells (clockwise, or with the top below the bottom) and refuses folded ones: there the map from the
-// reference cell has no inverse where the elements need one, and the shape functions no gradient.
+// Turns mirrored cells (clockwise, or with the top below the bottom) and refuses folded ones: there the map
+// from the reference cell has no inverse where the elements need one, and the shape functions no gradient.
 void orient(CellMesh& mesh, int c, const std::string& file) {
   auto& cell = mesh.cells[c];
   if (measure(patch_of(mesh, cell)) < 0) {
@@ -49,8 +53,10 @@ void orient(CellMesh& mesh, int c, const std::string& file) {
       std::swap_ranges(cell.begin(), cell.begin() + 4, cell.begin() + 4);
   }
   if (!(smallest_gauss_jacobian(patch_of(mesh, cell)) > 0))
-    throw std::runtime_error(fmt::format("cell {} of {} is folded or flat (its Jacobian is not positive at every Gauss point); expected convex cells",
-                                         cell_number(mesh, c), in_quotes(file)));
+    throw std::runtime_error(fmt::format(
+        "cell {} of {} is folded or flat (its Jacobian is not positive at every Gauss point); "
+        "expected convex cells",
+        cell_number(mesh, c), in_quotes(file)));
 }
 
 struct Side {
@@ -62,8 +68,11 @@ struct Side {
 std::vector<Side> sorted_sides(const CellMesh& mesh) {
   std::vector<Side> sides;
   sides.reserve(mesh.cells.size() * 2 * mesh.dim);
-  for_each_side(mesh, [&](int cell, const std::array<int, 4>& loop) { sides.push_back({side_key(loop, mesh.dim), loop, cell}); });
-  std::sort(sides.begin(), sides.end(), [](const Side& a, const Side& b) { return a.key != b.key ? a.key < b.key : a.cell < b.cell; });
+  for_each_side(mesh, [&](int cell, const std::array<int, 4>& loop) {
+    sides.push_back({side_key(loop, mesh.dim), loop, cell});
+  });
+  std::sort(sides.begin(), sides.end(),
+            [](const Side& a, const Side& b) { return a.key != b.key ? a.key < b.key : a.cell < b.cell; });
   return sides;
 }
 
@@ -107,15 +116,18 @@ std::vector<FreeSide> join_cells(const CellMesh& mesh, Sets& pieces, const std::
     }
     const auto number = [&](std::size_t k) { return cell_number(mesh, sides[k].cell); };
     if (j > i + 2)
-      throw std::runtime_error(fmt::format("cells {}, {} and {} of {} share one side; expected two cells at most", number(i), number(i + 1),
-                                           number(i + 2), in_quotes(file)));
+      throw std::runtime_error(fmt::format(
+          "cells {}, {} and {} of {} share one side; expected two cells at most", number(i), number(i + 1),
+          number(i + 2), in_quotes(file)));
     if (j == i + 1) {
       free.push_back({sides[i].loop, sides[i].cell});
       continue;
     }
     if (!opposite(sides[i], sides[i + 1], mesh.dim))
-      throw std::runtime_error(fmt::format("cells {} and {} of {} overlap: they lie on the same side of the side that they share; expected cells beside each other",
-                                           number(i), number(i + 1), in_quotes(file)));
+      throw std::runtime_error(fmt::format(
+          "cells {} and {} of {} overlap: they lie on the same side of the side that they share; "
+          "expected cells beside each other",
+          number(i), number(i + 1), in_quotes(file)));
     pieces.join(sides[i].cell, sides[i + 1].cell);
   }
   return free;
@@ -126,7 +138,8 @@ void check_pieces(const CellMesh& mesh, Sets& pieces, const MeshWish& wish, cons
   const int count = pieces.count();
   if (count == wish.pieces) return;
   if (wish.pieces > 1)
-    throw std::runtime_error(fmt::format("{} is in {} piece{} and not in {}, as \"pieces\" says", in_quotes(file), count, count == 1 ? "" : "s", wish.pieces));
+    throw std::runtime_error(fmt::format("{} is in {} piece{} and not in {}, as \"pieces\" says",
+                                         in_quotes(file), count, count == 1 ? "" : "s", wish.pieces));
   std::vector<int> first_of(mesh.vertices.size(), -1);
   int other = 0;
   for (int c = 0; c < int(mesh.cells.size()); ++c) {
@@ -135,26 +148,34 @@ void check_pieces(const CellMesh& mesh, Sets& pieces, const MeshWish& wish, cons
       int& first = first_of[mesh.cells[c][v]];
       if (first < 0) first = c;
       if (pieces.of(first) == pieces.of(c)) continue;
-      throw std::runtime_error(fmt::format("{} is in {} pieces that hang together at vertices alone, as cells {} and {} at vertex {}, {}: a hinge, which "
-                                           "takes no moment; expected cells joined by their sides, or pieces = {} if that is meant",
-                                           in_quotes(file), count, cell_number(mesh, first), cell_number(mesh, c),
-                                           vertex_number(mesh, mesh.cells[c][v]), place_text(mesh.vertices[mesh.cells[c][v]], mesh.dim), count));
+      throw std::runtime_error(fmt::format(
+          "{} is in {} pieces that hang together at vertices alone, as cells {} and {} at vertex {}, {}: a "
+          "hinge, which "
+          "takes no moment; expected cells joined by their sides, or pieces = {} if that is meant",
+          in_quotes(file), count, cell_number(mesh, first), cell_number(mesh, c),
+          vertex_number(mesh, mesh.cells[c][v]), place_text(mesh.vertices[mesh.cells[c][v]], mesh.dim),
+          count));
     }
   }
-  throw std::runtime_error(fmt::format("{} is in {} pieces, as cells {} and {} show: nothing holds them together; expected one, or pieces = {} if that is meant",
-                                       in_quotes(file), count, cell_number(mesh, 0), cell_number(mesh, other), count));
+  throw std::runtime_error(fmt::format(
+      "{} is in {} pieces, as cells {} and {} show: nothing holds them together; expected one, "
+      "or pieces = {} if that is meant",
+      in_quotes(file), count, cell_number(mesh, 0), cell_number(mesh, other), count));
 }
 
 }  // namespace
 
-std::size_t cell_number(const CellMesh& mesh, int cell) { return mesh.cell_numbers.empty() ? std::size_t(cell) + 1 : mesh.cell_numbers[cell]; }
+std::size_t cell_number(const CellMesh& mesh, int cell) {
+  return mesh.cell_numbers.empty() ? std::size_t(cell) + 1 : mesh.cell_numbers[cell];
+}
 
 std::size_t vertex_number(const CellMesh& mesh, int vertex) {
   return mesh.vertex_numbers.empty() ? std::size_t(vertex) + 1 : mesh.vertex_numbers[vertex];
 }
 
 std::string place_text(const Point& p, int dim) {
-  return dim == 2 ? fmt::format("({:g}, {:g}) mm", 1e3 * p[0], 1e3 * p[1]) : fmt::format("({:g}, {:g}, {:g}) mm", 1e3 * p[0], 1e3 * p[1], 1e3 * p[2]);
+  return dim == 2 ? fmt::format("({:g}, {:g}) mm", 1e3 * p[0], 1e3 * p[1])
+                  : fmt::format("({:g}, {:g}, {:g}) mm", 1e3 * p[0], 1e3 * p[1], 1e3 * p[2]);
 }
 
 void check_mesh(CellMesh& mesh, const MeshWish& wish, const std::string& file) {

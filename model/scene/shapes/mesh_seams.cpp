@@ -13,7 +13,8 @@
 namespace femsph {
 namespace {
 
-// Nearer than this share of the shortest edge around, two places are meant to be one: nobody draws such a slit, and CAD kernels leave such gaps.
+// Nearer than this share of the shortest edge around, two places are meant to be one: nobody draws such a
+// slit, and CAD kernels leave such gaps.
 constexpr double near = 1e-3;
 
 double apart(const Point& a, const Point& b) { return std::hypot(a[0] - b[0], a[1] - b[1], a[2] - b[2]); }
@@ -32,7 +33,8 @@ Patch patch_of(const CellMesh& mesh, const FreeSide& side) {
   Patch patch{mesh.dim - 1, {}};
   patch.corners[0] = mesh.vertices[side.loop[0]];
   patch.corners[1] = mesh.vertices[side.loop[1]];
-  if (mesh.dim == 3) patch.corners[2] = mesh.vertices[side.loop[3]], patch.corners[3] = mesh.vertices[side.loop[2]];
+  if (mesh.dim == 3)
+    patch.corners[2] = mesh.vertices[side.loop[3]], patch.corners[3] = mesh.vertices[side.loop[2]];
   return patch;
 }
 
@@ -54,25 +56,34 @@ class Seams {
 
   void raise(const std::string& file) const {
     const std::vector<std::pair<int, int>> pairs = coincident_sides();
-    const std::string cure = "; expected cells that share their vertices (in Gmsh: Coherence), or open_seams = true if a slit is meant";
+    const std::string cure =
+        "; expected cells that share their vertices (in Gmsh: Coherence), or open_seams = true if a slit is "
+        "meant";
     if (!pairs.empty()) {
       const FreeSide &a = sides_[pairs[0].first], &b = sides_[pairs[0].second];
       Point middle{};
       const int corners = 1 << (mesh_.dim - 1);
       for (int v = 0; v < corners; ++v)
         for (int c = 0; c < 3; ++c) middle[c] += mesh_.vertices[a.loop[v]][c] / corners;
-      throw std::runtime_error(fmt::format("{} has an open seam: {} pair{} of cell sides that lie on each other and share no side, {}those of cells {} (vertices {}) "
-                                           "and {} (vertices {}) at {}{}{}",
-                                           in_quotes(file), pairs.size(), pairs.size() == 1 ? "" : "s", pairs.size() == 1 ? "" : "first ",
-                                           cell_number(mesh_, a.cell), numbers(a), cell_number(mesh_, b.cell), numbers(b),
-                                           place_text(middle, mesh_.dim),
-                                           hanging_ == 0 ? std::string() : fmt::format(", and {} that hang{}", count(hanging_), hanging_ == 1 ? "s" : ""), cure));
+      throw std::runtime_error(fmt::format(
+          "{} has an open seam: {} pair{} of cell sides that lie on each other and share no side, {}those of "
+          "cells {} (vertices {}) "
+          "and {} (vertices {}) at {}{}{}",
+          in_quotes(file), pairs.size(), pairs.size() == 1 ? "" : "s", pairs.size() == 1 ? "" : "first ",
+          cell_number(mesh_, a.cell), numbers(a), cell_number(mesh_, b.cell), numbers(b),
+          place_text(middle, mesh_.dim),
+          hanging_ == 0 ? std::string()
+                        : fmt::format(", and {} that hang{}", count(hanging_), hanging_ == 1 ? "s" : ""),
+          cure));
     }
     if (hanging_)
-      throw std::runtime_error(fmt::format("{} has an open seam: {} lie{} on a side of a cell that does not have {}, {}vertex {} at {} on cell {} (vertices {}){}",
-                                           in_quotes(file), count(hanging_), hanging_ == 1 ? "s" : "", hanging_ == 1 ? "it" : "them",
-                                           hanging_ == 1 ? "" : "first ", vertex_number(mesh_, hangs_),
-                                           place_text(mesh_.vertices[hangs_], mesh_.dim), cell_number(mesh_, sides_[on_].cell), numbers(sides_[on_]), cure));
+      throw std::runtime_error(fmt::format(
+          "{} has an open seam: {} lie{} on a side of a cell that does not have {}, {}vertex {} "
+          "at {} on cell {} (vertices {}){}",
+          in_quotes(file), count(hanging_), hanging_ == 1 ? "s" : "", hanging_ == 1 ? "it" : "them",
+          hanging_ == 1 ? "" : "first ", vertex_number(mesh_, hangs_),
+          place_text(mesh_.vertices[hangs_], mesh_.dim), cell_number(mesh_, sides_[on_].cell),
+          numbers(sides_[on_]), cure));
   }
 
  private:
@@ -80,12 +91,14 @@ class Seams {
 
   std::string numbers(const FreeSide& side) const {
     std::string text;
-    for (int v = 0; v < 1 << (mesh_.dim - 1); ++v) text += fmt::format("{}{}", v ? ", " : "", vertex_number(mesh_, side.loop[v]));
+    for (int v = 0; v < 1 << (mesh_.dim - 1); ++v)
+      text += fmt::format("{}{}", v ? ", " : "", vertex_number(mesh_, side.loop[v]));
     return text;
   }
 
   bool has(const FreeSide& side, int vertex) const {
-    return std::find(side.loop.begin(), side.loop.begin() + (1 << (mesh_.dim - 1)), vertex) != side.loop.begin() + (1 << (mesh_.dim - 1));
+    return std::find(side.loop.begin(), side.loop.begin() + (1 << (mesh_.dim - 1)), vertex) !=
+           side.loop.begin() + (1 << (mesh_.dim - 1));
   }
 
   // Which vertices lie where this one does, and on which side does it hang if on any?
@@ -129,14 +142,16 @@ class Seams {
 
   const CellMesh& mesh_;
   const std::vector<FreeSide>& sides_;
-  std::vector<double> edge_;        // of each side's cell: the shortest, m
-  std::map<int, double> edge_at_;   // of each free vertex: the shortest around
-  std::map<int, int> twin_;         // a vertex that another shares its place with: the smallest of them
+  std::vector<double> edge_;       // of each side's cell: the shortest, m
+  std::map<int, double> edge_at_;  // of each free vertex: the shortest around
+  std::map<int, int> twin_;        // a vertex that another shares its place with: the smallest of them
   int hanging_ = 0, hangs_ = -1, on_ = -1;  // how many; the first, and on which side
 };
 
 }  // namespace
 
-void check_seams(const CellMesh& mesh, const std::vector<FreeSide>& sides, const std::string& file) { Seams(mesh, sides).raise(file); }
+void check_seams(const CellMesh& mesh, const std::vector<FreeSide>& sides, const std::string& file) {
+  Seams(mesh, sides).raise(file);
+}
 
 }  // namespace femsph

@@ -19,7 +19,9 @@ Patch patch_of(const CellMesh& mesh, const std::array<int, n>& vertices, int k) 
 }
 
 Patch cell_patch(const CellMesh& mesh, int cell) { return patch_of(mesh, mesh.cells[cell], mesh.dim); }
-Patch facet_patch(const CellMesh& mesh, int facet) { return patch_of(mesh, mesh.facets[facet].vertices, mesh.dim - 1); }
+Patch facet_patch(const CellMesh& mesh, int facet) {
+  return patch_of(mesh, mesh.facets[facet].vertices, mesh.dim - 1);
+}
 
 /// A side of a cell, with how many cells have it, and the facets of the file that are it.
 struct CellSide {
@@ -46,12 +48,14 @@ std::vector<CellSide> cell_sides(const CellMesh& mesh) {
         std::array<int, 4> vertices{};
         for (int v = 0, k = 0; v < 1 << mesh.dim; ++v)
           if ((v >> a & 1) == end) vertices[k++] = cell[v];
-        // Tangents of a positive cell: out of the side x+ points (y, z), out of y+ (z, x), that is -(x, z), ..; in the plane (0, 0, 1) stands for z.
+        // Tangents of a positive cell: out of the side x+ points (y, z), out of y+ (z, x), that is -(x, z),
+        // ..; in the plane (0, 0, 1) stands for z.
         const double sign = (end ? 1 : -1) * (a == 1 ? -1 : 1);
         ++sides.try_emplace(sorted(vertices, count), CellSide{vertices, sign, 0, {}}).first->second.cells;
       }
   for (std::size_t f = 0; f < mesh.facets.size(); ++f)
-    if (const auto side = sides.find(sorted(mesh.facets[f].vertices, count)); side != sides.end()) side->second.named.push_back(int(f));
+    if (const auto side = sides.find(sorted(mesh.facets[f].vertices, count)); side != sides.end())
+      side->second.named.push_back(int(f));
   std::vector<CellSide> out;
   for (auto& [key, side] : sides) out.push_back(std::move(side));
   return out;
@@ -67,17 +71,20 @@ MeshShape::MeshShape(CellMesh mesh, std::string file) : mesh_(std::move(mesh)), 
       upper_[c] = std::max(upper_[c], p[c]);
     }
   std::vector<BoxGrid::Box> boxes;
-  for (std::size_t i = 0; i < mesh_.cells.size(); ++i) boxes.push_back(bounding_box(cell_patch(mesh_, int(i))));
+  for (std::size_t i = 0; i < mesh_.cells.size(); ++i)
+    boxes.push_back(bounding_box(cell_patch(mesh_, int(i))));
   cell_grid_ = BoxGrid(boxes);
   boxes.clear();
-  for (std::size_t i = 0; i < mesh_.facets.size(); ++i) boxes.push_back(bounding_box(facet_patch(mesh_, int(i))));
+  for (std::size_t i = 0; i < mesh_.facets.size(); ++i)
+    boxes.push_back(bounding_box(facet_patch(mesh_, int(i))));
   facet_grid_ = BoxGrid(boxes);
 }
 
 bool MeshShape::contains(const Point& p, double tolerance) const {
   for (int c = 0; c < mesh_.dim; ++c)
     if (!(p[c] >= lower_[c] - tolerance && p[c] <= upper_[c] + tolerance)) return false;
-  return cell_grid_.any_near(p, tolerance, [&](int cell) { return is_near(cell_patch(mesh_, cell), p, tolerance); });
+  return cell_grid_.any_near(
+      p, tolerance, [&](int cell) { return is_near(cell_patch(mesh_, cell), p, tolerance); });
 }
 
 std::vector<std::string> MeshShape::sides() const {
@@ -90,8 +97,9 @@ bool MeshShape::on_side(const std::string& side, const Point& p, double toleranc
   const auto found = std::find(mesh_.groups.begin(), mesh_.groups.end(), side);
   if (found == mesh_.groups.end()) return Shape::on_side(side, p, tolerance);
   const int group = int(found - mesh_.groups.begin());
-  return facet_grid_.any_near(
-      p, tolerance, [&](int facet) { return mesh_.facets[facet].group == group && is_near(facet_patch(mesh_, facet), p, tolerance); });
+  return facet_grid_.any_near(p, tolerance, [&](int facet) {
+    return mesh_.facets[facet].group == group && is_near(facet_patch(mesh_, facet), p, tolerance);
+  });
 }
 
 double MeshShape::measure() const {
@@ -119,8 +127,10 @@ std::vector<SidePiece> MeshShape::side_pieces(const std::string& side, double si
   for (const CellSide& s : cell_sides(mesh_)) {
     bool on = group < 0 && s.cells == 1;
     if (group < 0)
-      for (int v = 0; v < 2 * (dim() - 1) && on; ++v) on = Shape::on_side(side, mesh_.vertices[s.vertices[v]], 1e-9 * (upper_[0] - lower_[0]));
-    else on = std::any_of(s.named.begin(), s.named.end(), [&](int f) { return mesh_.facets[f].group == group; });
+      for (int v = 0; v < 2 * (dim() - 1) && on; ++v)
+        on = Shape::on_side(side, mesh_.vertices[s.vertices[v]], 1e-9 * (upper_[0] - lower_[0]));
+    else
+      on = std::any_of(s.named.begin(), s.named.end(), [&](int f) { return mesh_.facets[f].group == group; });
     if (!on) continue;
     const std::size_t before = pieces.size();
     add_pieces(patch_of(mesh_, s.vertices, dim() - 1), size, s.outward, pieces);
@@ -130,7 +140,8 @@ std::vector<SidePiece> MeshShape::side_pieces(const std::string& side, double si
 }
 
 std::string MeshShape::describe() const {
-  return fmt::format("mesh {} of {} {}", file_, mesh_.cells.size(), mesh_.dim == 2 ? "quadrilaterals" : "hexahedra");
+  return fmt::format(
+      "mesh {} of {} {}", file_, mesh_.cells.size(), mesh_.dim == 2 ? "quadrilaterals" : "hexahedra");
 }
 
 }  // namespace femsph

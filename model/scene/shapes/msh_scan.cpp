@@ -47,7 +47,9 @@ class Scan {
     for (std::string_view line = next(); !line.empty(); line = next()) {
       if (line[0] != '$' || line.starts_with("$End") || line.starts_with("$END")) continue;
       read_section(line);
-      const std::string end = line == "$NOD" ? "$ENDNOD" : line == "$ELM" ? "$ENDELM" : "$End" + std::string(line.substr(1));
+      const std::string end = line == "$NOD"   ? "$ENDNOD"
+                              : line == "$ELM" ? "$ENDELM"
+                                               : "$End" + std::string(line.substr(1));
       const std::size_t at = text_.find(end, at_);
       if (at == std::string_view::npos) break;
       at_ = at;
@@ -89,11 +91,13 @@ class Scan {
       const std::size_t open = line.find('"'), close = line.rfind('"');
       if (line.empty() || line[0] == '$') return;
       if (words.size() == 2 && open < close && close != std::string_view::npos)
-        facts_.names.push_back({int(words[0]), int(words[1]), std::string(line.substr(open + 1, close - open - 1))});
+        facts_.names.push_back(
+            {int(words[0]), int(words[1]), std::string(line.substr(open + 1, close - open - 1))});
     }
   }
 
-  /// Lines of a section in version 4: blocks, each announced by a line that ends with the number of its entries.
+  /// Lines of a section in version 4: blocks, each announced by a line that ends with the number of its
+  /// entries.
   template <class Act>
   long long for_each_line(const std::vector<long long>& head, long long lines_an_entry, Act&& act) {
     if (facts_.version < 4) {
@@ -127,7 +131,8 @@ class Scan {
     const auto head = integers(next(), 2);
     if (head.empty() || (facts_.version >= 4 && head.size() < 2)) return;
     const long long count = for_each_line(head, 1, [&](std::string_view line) {
-      const auto words = integers(line, 4);  // version 1: number, type, group; 2: number, type, how many tags, group
+      const auto words = integers(
+          line, 4);  // version 1: number, type, group; 2: number, type, how many tags, group
       facts_.numbers.push_back(words.empty() ? 0 : std::size_t(words[0]));
       if (!facts_.lists_groups()) return;
       const std::size_t group = facts_.version < 2 ? 2 : 3;
@@ -140,7 +145,9 @@ class Scan {
 
   void require_end(const char* what, long long count) {
     if (!at_section_end())
-      throw std::runtime_error(fmt::format("{} holds more {} than the {} that it announces; expected a mesh saved by Gmsh", in_quotes(file_), what, count));
+      throw std::runtime_error(fmt::format(
+          "{} holds more {} than the {} that it announces; expected a mesh saved by Gmsh", in_quotes(file_),
+          what, count));
   }
 
   template <class T>
@@ -170,7 +177,8 @@ class Scan {
         facts_.numbers.push_back(std::size_t(take<std::int32_t>()));
         const auto group = tags > 0 ? take<std::int32_t>() : 0;
         facts_.groups.push_back(group);
-        at_ += std::min(text_.size() - at_, sizeof(std::int32_t) * (std::size_t(std::max(0, tags - 1)) + std::size_t(corners)));
+        at_ += std::min(text_.size() - at_,
+                        sizeof(std::int32_t) * (std::size_t(std::max(0, tags - 1)) + std::size_t(corners)));
       }
     }
   }

@@ -10,8 +10,8 @@ namespace {
 double dot(const Point& a, const Point& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
 Point minus(const Point& a, const Point& b) { return {a[0] - b[0], a[1] - b[1], a[2] - b[2]}; }
 
-// Solves the k x k system A x = b of the normal equations, scaled to a unit diagonal, by elimination: A is positive
-// definite unless the patch is degenerate, and then the pivot is left out.
+// Solves the k x k system A x = b of the normal equations, scaled to a unit diagonal, by elimination: A is
+// positive definite unless the patch is degenerate, and then the pivot is left out.
 std::array<double, 3> solve(std::array<std::array<double, 3>, 3> A, std::array<double, 3> b, int k) {
   for (int i = 0; i < k; ++i)
     for (int j = i + 1; j < k; ++j) {
@@ -80,7 +80,8 @@ double distance(const Patch& patch, const Point& p) {
     const auto dxi = step(patch, xi, p);
     double change = 0;
     for (int c = 0; c < patch.k; ++c) {
-      const double next = std::clamp(xi[c] + dxi[c], -0.25, 1.25);  // a wider excursion may reach where the map folds
+      const double next = std::clamp(
+          xi[c] + dxi[c], -0.25, 1.25);  // a wider excursion may reach where the map folds
       change = std::max(change, std::abs(next - xi[c]));
       xi[c] = next;
     }
@@ -95,7 +96,8 @@ double determinant(const Patch& patch, const std::array<double, 3>& xi) {
   const Point a = patch.tangent(xi, 0), b = patch.tangent(xi, 1);
   if (patch.k == 2) return a[0] * b[1] - a[1] * b[0];
   const Point c = patch.tangent(xi, 2);
-  return a[0] * (b[1] * c[2] - b[2] * c[1]) + a[1] * (b[2] * c[0] - b[0] * c[2]) + a[2] * (b[0] * c[1] - b[1] * c[0]);
+  return a[0] * (b[1] * c[2] - b[2] * c[1]) + a[1] * (b[2] * c[0] - b[0] * c[2]) +
+         a[2] * (b[0] * c[1] - b[1] * c[0]);
 }
 
 BoxGrid::Box bounding_box(const Patch& patch) {
@@ -118,7 +120,8 @@ bool is_near(const Patch& patch, const Point& p, double tolerance) {
 double smallest_corner_jacobian(const Patch& patch) {
   double smallest = determinant(patch, {0, 0, 0});
   for (int v = 1; v < patch.corner_count(); ++v)
-    smallest = std::min(smallest, determinant(patch, {double(v & 1), double(v >> 1 & 1), double(v >> 2 & 1)}));
+    smallest = std::min(
+        smallest, determinant(patch, {double(v & 1), double(v >> 1 & 1), double(v >> 2 & 1)}));
   return smallest;
 }
 
@@ -138,7 +141,8 @@ double smallest_gauss_jacobian(const Patch& patch) {
 }
 
 double measure(const Patch& patch) {
-  // Gauss points of order 2 a direction integrate the determinant of a trilinear map exactly (degree 2 in each variable).
+  // Gauss points of order 2 a direction integrate the determinant of a trilinear map exactly (degree 2 in
+  // each variable).
   double sum = 0;
   for (int q = 0; q < patch.corner_count(); ++q) sum += gauss_jacobian(patch, q);
   return sum / patch.corner_count();

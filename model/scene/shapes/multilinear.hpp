@@ -1,5 +1,6 @@
 #pragma once
-// Multilinear patches in space: the segment, the bilinear quadrilateral and the trilinear hexahedron, by their corners.
+// Multilinear patches in space: the segment, the bilinear quadrilateral and the trilinear hexahedron, by
+// their corners.
 
 #include <array>
 #include <vector>
@@ -18,12 +19,14 @@ struct Patch {
   Point tangent(const std::array<double, 3>& xi, int direction) const;  ///< derivative along xi[direction]
 };
 
-/// Distance of p from a point of the patch: to rounding the smallest one if p is near the patch, at least the smallest one elsewhere.
+/// Distance of p from a point of the patch: to rounding the smallest one if p is near the patch, at least the
+/// smallest one elsewhere.
 double distance(const Patch& patch, const Point& p);
 
 /// Holds the patch, which lies in the convex hull of its corners.
 BoxGrid::Box bounding_box(const Patch& patch);
-/// p is within `tolerance` of the patch. (The box settles most questions for a fraction of what the inverse of the map costs.)
+/// p is within `tolerance` of the patch. (The box settles most questions for a fraction of what the inverse
+/// of the map costs.)
 bool is_near(const Patch& patch, const Point& p, double tolerance);
 
 /// The smallest determinant of dx/dxi over the corners of a cell in `dim` dimensions (k = dim), m^dim.
@@ -39,8 +42,8 @@ double measure(const Patch& patch);
 /// The integral of x over a cell (k = dim), m^(dim+1).
 Point first_moment(const Patch& patch);
 
-/// A patch with k = dim - 1 cut into pieces no longer than `size`; areas point to the right of a segment 0 -> 1, and along the cross product of a
-/// quadrilateral's tangents; times `sign`.
+/// A patch with k = dim - 1 cut into pieces no longer than `size`; areas point to the right of a segment 0 ->
+/// 1, and along the cross product of a quadrilateral's tangents; times `sign`.
 void add_pieces(const Patch& patch, double size, double sign, std::vector<SidePiece>& out);
 
 }  // namespace femsph

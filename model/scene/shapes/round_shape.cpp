@@ -25,8 +25,10 @@ class Sheet {
       for (int i = 0; i < n; ++i) {
         std::array<int, 4> cell;
         for (int c = 0; c < 4; ++c) cell[c] = vertex(at(double(i + c % 2) / n, double(j + c / 2) / m));
-        const auto &a = vertices[cell[0]], &b = vertices[cell[1]], &c = vertices[cell[2]], &d = vertices[cell[3]];
-        if ((d[0] - a[0]) * (c[1] - b[1]) - (d[1] - a[1]) * (c[0] - b[0]) < 0) std::swap(cell[0], cell[1]), std::swap(cell[2], cell[3]);  // of a mirrored block
+        const auto &a = vertices[cell[0]], &b = vertices[cell[1]], &c = vertices[cell[2]],
+                   &d = vertices[cell[3]];
+        if ((d[0] - a[0]) * (c[1] - b[1]) - (d[1] - a[1]) * (c[0] - b[0]) < 0)
+          std::swap(cell[0], cell[1]), std::swap(cell[2], cell[3]);  // of a mirrored block
         cells.push_back(cell);
       }
   }
@@ -38,7 +40,8 @@ class Sheet {
     const auto near = [&](double x) { return std::lround(x / grid_); };
     for (const long i : {0, -1, 1})
       for (const long j : {0, -1, 1})
-        if (const auto known = at_.find({near(p[0]) + i, near(p[1]) + j}); known != at_.end()) return known->second;
+        if (const auto known = at_.find({near(p[0]) + i, near(p[1]) + j}); known != at_.end())
+          return known->second;
     vertices.push_back(p);
     return at_[{near(p[0]), near(p[1])}] = int(vertices.size()) - 1;
   }
@@ -58,7 +61,8 @@ void ring_quarter(Sheet& sheet, double inner, double outer, int layers, int sect
 
 /// A square with a drawn-out corner, and two blocks from it to the rim; turned by `start`.
 void disc_quarter(Sheet& sheet, double outer, double size, double start) {
-  const double side = 0.55 * outer, corner = 0.43 * outer;  // of the square: along the axes, and of its free corner
+  const double side = 0.55 * outer,
+               corner = 0.43 * outer;  // of the square: along the axes, and of its free corner
   const int n = count_of(0.65 * outer, size), m = count_of(0.42 * outer, size);
   const double c = std::cos(start), s = std::sin(start);
   const auto turned = [&](double x, double y) { return std::array<double, 2>{c * x - s * y, s * x + c * y}; };
@@ -67,7 +71,8 @@ void disc_quarter(Sheet& sheet, double outer, double size, double start) {
   });
   for (const bool second : {false, true})
     sheet.block(m, n, [&](double out, double t) {
-      const double angle = 0.25 * pi * t, x = (1 - out) * ((1 - t) * side + t * corner) + out * outer * std::cos(angle);
+      const double angle = 0.25 * pi * t,
+                   x = (1 - out) * ((1 - t) * side + t * corner) + out * outer * std::cos(angle);
       const double y = (1 - out) * t * corner + out * outer * std::sin(angle);
       return second ? turned(y, x) : turned(x, y);
     });
@@ -76,7 +81,8 @@ void disc_quarter(Sheet& sheet, double outer, double size, double start) {
 }  // namespace
 
 std::array<double, 3> Round::section(const Point& p) const {
-  return {p[first()] - size_.centre[first()], p[second()] - size_.centre[second()], dim_ == 3 ? p[size_.axis] - size_.centre[size_.axis] : 0.0};
+  return {p[first()] - size_.centre[first()], p[second()] - size_.centre[second()],
+          dim_ == 3 ? p[size_.axis] - size_.centre[size_.axis] : 0.0};
 }
 
 Point Round::place(double a, double b, double along) const {
@@ -88,7 +94,8 @@ Point Round::place(double a, double b, double along) const {
 }
 
 Point Round::lower() const {
-  return place(size_.part == Part::quarter ? 0 : -size_.outer, size_.part == Part::whole ? -size_.outer : 0, 0);
+  return place(
+      size_.part == Part::quarter ? 0 : -size_.outer, size_.part == Part::whole ? -size_.outer : 0, 0);
 }
 Point Round::upper() const { return place(size_.outer, size_.outer, size_.length); }
 
@@ -115,26 +122,35 @@ bool Round::on_side(const std::string& side, const Point& p, double tolerance) c
 }
 
 double Round::measure() const {
-  return 0.25 * quarters() * pi * (size_.outer * size_.outer - size_.inner * size_.inner) * (dim_ == 3 ? size_.length : 1.0);
+  return 0.25 * quarters() * pi * (size_.outer * size_.outer - size_.inner * size_.inner) *
+         (dim_ == 3 ? size_.length : 1.0);
 }
 
 /// Of a half ring 4 (R^3 - r^3) / (3 pi (R^2 - r^2)) beyond the centre; of a quarter along both axes.
 Point Round::centroid() const {
   const double R = size_.outer, r = size_.inner, beyond = 4 * (R * R + R * r + r * r) / (3 * pi * (R + r));
-  return place(size_.part == Part::quarter ? beyond : 0, size_.part == Part::whole ? 0 : beyond, dim_ == 3 ? 0.5 * size_.length : 0.0);
+  return place(size_.part == Part::quarter ? beyond : 0, size_.part == Part::whole ? 0 : beyond,
+               dim_ == 3 ? 0.5 * size_.length : 0.0);
 }
 
 /// The rims; of a cylinder or tube their mantles.
 std::vector<SidePiece> Round::side_pieces(const std::string& side, double size) const {
   if (side != "outer" && !(side == "inner" && size_.inner > 0)) return {};
-  const double radius = side == "outer" ? size_.outer : size_.inner, out = side == "outer" ? 1 : -1, turn = 0.5 * pi * quarters();
-  const int n = std::max(4, int(std::ceil(radius * turn / size))), m = dim_ == 3 ? std::max(1, int(std::ceil(size_.length / size))) : 1;
+  const double radius = side == "outer" ? size_.outer : size_.inner, out = side == "outer" ? 1 : -1,
+               turn = 0.5 * pi * quarters();
+  const int n = std::max(4, int(std::ceil(radius * turn / size))),
+            m = dim_ == 3 ? std::max(1, int(std::ceil(size_.length / size))) : 1;
   std::vector<SidePiece> pieces;
   for (int j = 0; j < m; ++j)
     for (int i = 0; i < n; ++i) {
-      const double angle = turn * (i + 0.5) / n, area = radius * turn / n * (dim_ == 3 ? size_.length / m : 1.0);
-      SidePiece piece{place(radius * std::cos(angle), radius * std::sin(angle), dim_ == 3 ? size_.length * (j + 0.5) / m : 0.0), area, {}};
-      const double across = area * std::sin(0.5 * turn / n) / (0.5 * turn / n);  // integral of the normal over the piece of an arc: its chord
+      const double angle = turn * (i + 0.5) / n,
+                   area = radius * turn / n * (dim_ == 3 ? size_.length / m : 1.0);
+      SidePiece piece{place(radius * std::cos(angle), radius * std::sin(angle),
+                            dim_ == 3 ? size_.length * (j + 0.5) / m : 0.0),
+                      area,
+                      {}};
+      const double across = area * std::sin(0.5 * turn / n) /
+                            (0.5 * turn / n);  // integral of the normal over the piece of an arc: its chord
       piece.area[first()] = out * across * std::cos(angle);
       piece.area[second()] = out * across * std::sin(angle);
       pieces.push_back(piece);
@@ -144,28 +160,35 @@ std::vector<SidePiece> Round::side_pieces(const std::string& side, double size) 
 
 std::string Round::describe() const {
   const char* part = size_.part == Part::whole ? "" : size_.part == Part::half ? "half " : "quarter ";
-  const char* kind = dim_ == 2 ? (size_.inner > 0 ? "ring" : "disc") : (size_.inner > 0 ? "tube" : "cylinder");
+  const char* kind = dim_ == 2 ? (size_.inner > 0 ? "ring" : "disc")
+                               : (size_.inner > 0 ? "tube" : "cylinder");
   std::string text = fmt::format("{}{} of ", part, kind);
-  text += size_.inner > 0 ? fmt::format("radii {:g} and {:g} mm", 1e3 * size_.inner, 1e3 * size_.outer) : fmt::format("radius {:g} mm", 1e3 * size_.outer);
+  text += size_.inner > 0 ? fmt::format("radii {:g} and {:g} mm", 1e3 * size_.inner, 1e3 * size_.outer)
+                          : fmt::format("radius {:g} mm", 1e3 * size_.outer);
   return dim_ == 3 ? text + fmt::format(", {:g} mm long", 1e3 * size_.length) : text;
 }
 
 CellMesh Round::mesh(const std::array<int, 3>& divisions) const {
   const Point low = lower(), high = upper();
   for (int d = 0; d < dim_; ++d)
-    if (divisions[d] < 1) throw std::runtime_error(fmt::format("the {} needs at least one cell along each axis", describe()));
+    if (divisions[d] < 1)
+      throw std::runtime_error(fmt::format("the {} needs at least one cell along each axis", describe()));
   const double size = (high[first()] - low[first()]) / divisions[first()];
   Sheet sheet(size);
-  const int layers = count_of(size_.outer - size_.inner, size), sectors = std::max(2, count_of(0.25 * pi * (size_.outer + size_.inner), size));
+  const int layers = count_of(size_.outer - size_.inner, size),
+            sectors = std::max(2, count_of(0.25 * pi * (size_.outer + size_.inner), size));
   for (int q = 0; q < quarters(); ++q) {
-    if (size_.inner > 0) ring_quarter(sheet, size_.inner, size_.outer, layers, sectors, 0.5 * pi * q);
-    else disc_quarter(sheet, size_.outer, size, 0.5 * pi * q);
+    if (size_.inner > 0)
+      ring_quarter(sheet, size_.inner, size_.outer, layers, sectors, 0.5 * pi * q);
+    else
+      disc_quarter(sheet, size_.outer, size, 0.5 * pi * q);
   }
   CellMesh mesh;
   mesh.dim = dim_;
   const int levels = dim_ == 3 ? divisions[size_.axis] : 0, n = int(sheet.vertices.size());
   for (int k = 0; k <= levels; ++k)
-    for (const auto& v : sheet.vertices) mesh.vertices.push_back(place(v[0], v[1], levels ? size_.length * k / levels : 0.0));
+    for (const auto& v : sheet.vertices)
+      mesh.vertices.push_back(place(v[0], v[1], levels ? size_.length * k / levels : 0.0));
   for (int k = 0; k < std::max(1, levels); ++k)
     for (const auto& flat : sheet.cells) {
       std::array<int, 8> cell{};

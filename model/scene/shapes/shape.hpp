@@ -8,8 +8,8 @@
 #include <utility>
 #include <vector>
 
-#include "model/numerics/tensor.hpp"
 #include "model/numerics/box_grid.hpp"
+#include "model/numerics/tensor.hpp"
 
 namespace femsph {
 
@@ -22,11 +22,15 @@ struct CellMesh {
     std::array<int, 4> vertices;  ///< 2, or 4 in lexicographic order
     int group;                    ///< index into groups, -1: unnamed
   };
-  std::vector<Facet> facets;        ///< boundary facets that the file names
-  std::vector<std::string> groups;  ///< of facets: their physical names, or their numbers where a name could mean two things
-  std::vector<std::size_t> cell_numbers, vertex_numbers;  ///< those of the file, for messages; empty: there is no file
-  std::vector<std::pair<std::string, int>> group_words;          ///< what a place may call a group: a name or a number, an index into groups
-  std::vector<std::pair<std::string, std::string>> vain_words;   ///< names and numbers of the file that no place can use, and why
+  std::vector<Facet> facets;  ///< boundary facets that the file names
+  std::vector<std::string>
+      groups;  ///< of facets: their physical names, or their numbers where a name could mean two things
+  std::vector<std::size_t> cell_numbers,
+      vertex_numbers;  ///< those of the file, for messages; empty: there is no file
+  std::vector<std::pair<std::string, int>>
+      group_words;  ///< what a place may call a group: a name or a number, an index into groups
+  std::vector<std::pair<std::string, std::string>>
+      vain_words;  ///< names and numbers of the file that no place can use, and why
 };
 
 /// A small piece of a shape's boundary.
@@ -51,8 +55,9 @@ class Shape {
   /// Area (volume in 3D) of the shape, m^2 (m^3).
   virtual double measure() const = 0;
   virtual Point centroid() const = 0;  ///< m
-  /// A curved or slanted side cut into pieces no longer than `size` (m): what a filling that misses the side needs to know of it. Empty
-  /// for a side that on_side() tells alone, such as a plane side of the bounding box, or one that is a point.
+  /// A curved or slanted side cut into pieces no longer than `size` (m): what a filling that misses the side
+  /// needs to know of it. Empty for a side that on_side() tells alone, such as a plane side of the bounding
+  /// box, or one that is a point.
   virtual std::vector<SidePiece> side_pieces(const std::string& side, double size) const;
   /// The body's own cells, if it comes with some.
   virtual const CellMesh* cells() const { return nullptr; }
@@ -128,8 +133,9 @@ struct MeshWish {
   bool open_seams = false;  ///< sides that lie on each other without sharing vertices are meant: a crack
 };
 
-/// Reads a .msh file (quadrilaterals in 2D, hexahedra in 3D; lengths multiplied by `unit`) and looks at all of it once, see mesh_check.hpp.
-/// Throws std::runtime_error with one sentence when the file cannot be read, holds no such cells, or could be read in two ways.
+/// Reads a .msh file (quadrilaterals in 2D, hexahedra in 3D; lengths multiplied by `unit`) and looks at all
+/// of it once, see mesh_check.hpp. Throws std::runtime_error with one sentence when the file cannot be read,
+/// holds no such cells, or could be read in two ways.
 CellMesh read_gmsh(const std::string& file, int dim, double unit, const MeshWish& wish = {});
 
 }  // namespace femsph

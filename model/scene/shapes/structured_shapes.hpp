@@ -7,14 +7,17 @@ namespace femsph {
 
 class StructuredShape : public Shape {
  public:
-  /// Cells of about (upper - lower) / divisions along each axis; throws std::runtime_error with one sentence when that is none.
+  /// Cells of about (upper - lower) / divisions along each axis; throws std::runtime_error with one sentence
+  /// when that is none.
   virtual CellMesh mesh(const std::array<int, 3>& divisions) const = 0;
 };
 
-/// Discs and rings in a plane, cylinders and tubes in space: a circular section, solid (inner = 0) or hollow, along an axis.
+/// Discs and rings in a plane, cylinders and tubes in space: a circular section, solid (inner = 0) or hollow,
+/// along an axis.
 class Round final : public StructuredShape {
  public:
-  /// How much of the section there is, seen from the centre: all, the half where its second axis is positive, the quarter where both are.
+  /// How much of the section there is, seen from the centre: all, the half where its second axis is positive,
+  /// the quarter where both are.
   enum class Part { whole, half, quarter };
   /// `centre` of the section; in space of the end where the axis begins.
   struct Size {
@@ -36,8 +39,9 @@ class Round final : public StructuredShape {
   Point centroid() const override;
   std::vector<SidePiece> side_pieces(const std::string& side, double size) const override;
   std::string describe() const override;
-  /// Hollow: layers across the wall and sectors around, both of the wanted size at the middle of the wall. Solid: a square in the
-  /// middle of each quarter, and two blocks from its sides to the rim. Vertices of the rims lie on them.
+  /// Hollow: layers across the wall and sectors around, both of the wanted size at the middle of the wall.
+  /// Solid: a square in the middle of each quarter, and two blocks from its sides to the rim. Vertices of the
+  /// rims lie on them.
   CellMesh mesh(const std::array<int, 3>& divisions) const override;
   const Size& size() const { return size_; }
 
@@ -53,8 +57,8 @@ class Round final : public StructuredShape {
   Size size_;
 };
 
-/// A ball with cells of its own, whole or cut by planes through its axis, whose cells may be finer at the pole where the axis begins (the lowest
-/// point along it): for what strikes there.
+/// A ball with cells of its own, whole or cut by planes through its axis, whose cells may be finer at the
+/// pole where the axis begins (the lowest point along it): for what strikes there.
 class OwnBall final : public StructuredShape {
  public:
   using Part = Round::Part;
@@ -63,7 +67,8 @@ class OwnBall final : public StructuredShape {
     double radius = 0;  ///< m
     int axis = 2;
     Part part = Part::whole;
-    double finer = 1;  ///< how many times smaller cells are at the pole than in an even mesh; at the other pole they are as many times larger
+    double finer = 1;  ///< how many times smaller cells are at the pole than in an even mesh; at the other
+                       ///< pole they are as many times larger
   };
   explicit OwnBall(const Size& size) : size_(size) {}
 
@@ -77,7 +82,8 @@ class OwnBall final : public StructuredShape {
   double measure() const override;
   Point centroid() const override;
   std::string describe() const override;
-  /// In each octant a cube and three blocks from its faces to the rim, all drawn to the pole. Vertices of the rim lie on it.
+  /// In each octant a cube and three blocks from its faces to the rim, all drawn to the pole. Vertices of the
+  /// rim lie on it.
   CellMesh mesh(const std::array<int, 3>& divisions) const override;
   const Size& size() const { return size_; }
 
@@ -92,7 +98,8 @@ class OwnBall final : public StructuredShape {
   Size size_;
 };
 
-/// A plane quadrilateral by its corners, counterclockwise; sides "bottom" (first to second corner), "right", "top", "left".
+/// A plane quadrilateral by its corners, counterclockwise; sides "bottom" (first to second corner), "right",
+/// "top", "left".
 class Quadrilateral final : public StructuredShape {
  public:
   explicit Quadrilateral(const std::array<Point, 4>& corners) : corners_(corners) {}
