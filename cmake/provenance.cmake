@@ -1,5 +1,5 @@
 # Writes HEADER, which says what this build is made of. Run at every build, so that the git state is that of the sources compiled;
-# the header is touched only when something changed. Variables: HEADER SOURCE_DIR VERSION BUILD_TYPE FLAGS.
+# the header is touched only when something changed. Variables: HEADER SOURCE_DIR VERSION DEAL_II BUILD_TYPE FLAGS.
 set(git "unknown")
 find_package(Git QUIET)
 if(GIT_FOUND)
@@ -17,7 +17,7 @@ endif()
 
 string(STRIP "${FLAGS}" FLAGS)
 set(text "#pragma once\n// Written by cmake/provenance.cmake.\n")
-foreach(pair "VERSION=${VERSION}" "GIT=${git}" "BUILD_TYPE=${BUILD_TYPE}" "FLAGS=${FLAGS}")
+foreach(pair "VERSION=${VERSION}" "DEAL_II=${DEAL_II}" "GIT=${git}" "BUILD_TYPE=${BUILD_TYPE}" "FLAGS=${FLAGS}")
   string(REGEX MATCH "^([A-Z_]+)=(.*)$" whole "${pair}")
   string(REGEX REPLACE "([\\\"])" "\\\\\\1" value "${CMAKE_MATCH_2}")
   string(REGEX MATCH "^[A-Z_]+" key "${pair}")

@@ -27,3 +27,24 @@ function(femsph_room name folder)
   string(REGEX REPLACE "/.*" "" top ${folder})
   set_property(GLOBAL APPEND PROPERTY FEMSPH_ROOMS_${top} femsph_${name})
 endfunction()
+
+# A module is a shared object that the program opens when it needs it (model/numerics/module.hpp): libfemsph_NAME.so, beside the
+# programs. It links no room: what it calls of rooms it finds in the program.
+#   femsph_module(NAME FOLDER [USES library..])
+function(femsph_module name folder)
+  cmake_parse_arguments(module "" "" "USES" ${ARGN})
+  get_filename_component(root ${CMAKE_CURRENT_FUNCTION_LIST_DIR}/.. ABSOLUTE)
+  file(GLOB sources CONFIGURE_DEPENDS ${root}/${folder}/*.cpp)
+  add_library(femsph_${name} MODULE ${sources})
+  target_link_libraries(femsph_${name} PRIVATE femsph_flags fmt::fmt ${module_USES})
+  target_include_directories(femsph_${name} PRIVATE ${CMAKE_BINARY_DIR}/generated)
+  add_dependencies(femsph_${name} femsph_provenance)
+  set_target_properties(femsph_${name} PROPERTIES LIBRARY_OUTPUT_DIRECTORY ${CMAKE_BINARY_DIR} UNITY_BUILD OFF)
+  install(TARGETS femsph_${name} LIBRARY DESTINATION lib/femsph)
+endfunction()
+
+# Room ROOM opens module NAME: who builds the room builds the module, of the same build.
+function(femsph_opens room name)
+  target_include_directories(femsph_${room} PRIVATE ${CMAKE_BINARY_DIR}/generated)
+  add_dependencies(femsph_${room} femsph_provenance femsph_${name})
+endfunction()

@@ -98,8 +98,8 @@ ExplicitFem::ExplicitFem(const Scene& scene, std::size_t body, const Options& op
   bars_text_ = femsph::describe(rows, scene);
   plasticity_ = material.plasticity;
   wave_speed_ = std::visit([](const auto& l) { return l.wave_speed(); }, law_);
-  loop_ = make_loop(element_, {&mesh_, &batches_, law_, thickness_, options.hourglass, scene.large_motion,
-                               options.scalar_kernel});
+  const auto make = options.loop ? options.loop : make_loop;
+  loop_ = make(element_, {&mesh_, &batches_, law_, thickness_, options.hourglass, scene.large_motion});
 }
 
 std::string ExplicitFem::describe() const {

@@ -1,6 +1,6 @@
 #pragma once
-// The FEM room's door: options in, discretization out. Only this room includes deal.II, and this header does
-// not show it.
+// The FEM room's door: options in, discretization out. What uses deal.II (the oracle, the static limit, the
+// distortion of meshes) is in a module that is opened at the first call (mesh/deal_ii.hpp).
 
 #include <array>
 #include <map>

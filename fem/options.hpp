@@ -2,9 +2,13 @@
 // What a user chooses of a FEM discretization.
 
 #include <array>
+#include <memory>
 #include <optional>
 
 namespace femsph::fem {
+
+class CellLoop;
+struct LoopInput;
 
 enum class Element { full, sri, one_point, assumed_strain };
 
@@ -16,8 +20,8 @@ struct Options {
   /// stabilization.
   std::optional<double> hourglass;
   double distortion = 0;  ///< inner vertices moved at random by up to this share of the cell (patch tests)
-  bool scalar_kernel =
-      false;  ///< run the kernel one cell at a time: the reference of the SIMD form (tests, bench)
+  /// Makes the loop in place of make_loop: a test's own, such as one that takes the cells one at a time.
+  std::unique_ptr<CellLoop> (*loop)(Element, const LoopInput&) = nullptr;
 };
 
 }  // namespace femsph::fem

@@ -48,7 +48,6 @@ struct LoopInput {
   double thickness;
   std::optional<double> hourglass;
   bool large_motion;
-  bool scalar_kernel;
 };
 
 std::unique_ptr<CellLoop> make_full_loop(const LoopInput&);

@@ -228,17 +228,19 @@ class Loop final : public StiffnessLoop<ElementType, dim, T> {
   AlignedVector<double> state_;  ///< (batch * state_size + value) * lanes + lane
 };
 
-/// Chooses the loop of an element once: law, kinematics, dimension, scalar type.
-template <class ElementType>
+/// Chooses the loop of an element once: law, kinematics, dimension. T = double makes the scalar form, which
+/// runs one cell at a time and which only tests ask for; laws of large motion alone have none, to spare the
+/// compiler.
+template <class ElementType, class T = Pack>
 std::unique_ptr<CellLoop> choose_loop(const LoopInput& in) {
   return std::visit(
       [&](const auto& law) -> std::unique_ptr<CellLoop> {
         using LawType = std::decay_t<decltype(law)>;
         const auto with = [&]<class Kinematics, int dim>() -> std::unique_ptr<CellLoop> {
-          if constexpr (!LargeMotionOnly<LawType>)  // the others have no scalar form, to spare the compiler
-            if (in.scalar_kernel)
-              return std::make_unique<Loop<ElementType, Kinematics, LawType, dim, double>>(in, law);
-          return std::make_unique<Loop<ElementType, Kinematics, LawType, dim, Pack>>(in, law);
+          if constexpr (lanes_of<T> == 1 && LargeMotionOnly<LawType>)
+            throw Refusal("this material has no scalar loop");
+          else
+            return std::make_unique<Loop<ElementType, Kinematics, LawType, dim, T>>(in, law);
         };
         const bool plane = in.mesh->dim == 2;
         if (in.large_motion)

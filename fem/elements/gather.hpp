@@ -7,9 +7,8 @@
 namespace femsph::fem {
 
 using Pair = double __attribute__((vector_size(16)));
-using PairUnaligned = double __attribute__((vector_size(16), aligned(8)));
 
-FEMSPH_INLINE Pair load_pair(const double* p) { return *reinterpret_cast<const PairUnaligned*>(p); }
+FEMSPH_INLINE Pair load_pair(const double* p) { return load_unaligned<Pair>(p); }
 
 /// First and second of eight pairs: 16-byte loads, then two shuffles.
 FEMSPH_INLINE void load_pairs(const double* v, const int* at, Pack& first, Pack& second) {
@@ -57,7 +56,7 @@ FEMSPH_INLINE void scatter_add(const Pack* f, double factor, const int* at, int,
 #pragma GCC unroll 8
     for (int l = 0; l < lanes; ++l) {
       double* p = v + i[l];
-      *reinterpret_cast<PairUnaligned*>(p) = load_pair(p) + load<Pair>(pairs + 2 * l);
+      store_unaligned(p, load_pair(p) + load<Pair>(pairs + 2 * l));
       if constexpr (dim == 3) p[2] += z[l];
     }
   }

@@ -25,8 +25,8 @@
 #include <set>
 #include <stdexcept>
 
-#include "fem/fem.hpp"
-#include "fem/mesh/mesh.hpp"
+#include "fem/limit/limit.hpp"
+#include "fem/limit/triangulation.hpp"
 #include "model/numerics/principal.hpp"
 #include "model/scene/shapes/structured_shapes.hpp"
 
@@ -323,7 +323,7 @@ class StaticSolver {
 
 }  // namespace
 
-StaticLimit static_limit(const Scene& scene, const std::array<int, 3>& divisions, int degree) {
+StaticLimit solve_static(const Scene& scene, const std::array<int, 3>& divisions, int degree) {
   if (scene.bodies.size() != 1)
     throw std::runtime_error(
         "the static limit wants one body, and the scene has " + std::to_string(scene.bodies.size()));

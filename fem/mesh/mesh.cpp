@@ -1,9 +1,5 @@
 #include "fem/mesh/mesh.hpp"
 
-#include <deal.II/grid/grid_generator.h>
-#include <deal.II/grid/grid_tools.h>
-#include <deal.II/grid/tria.h>
-
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
@@ -11,56 +7,14 @@
 #include <stdexcept>
 #include <utility>
 
+#include "fem/mesh/deal_ii.hpp"
+#include "fem/mesh/grid.hpp"
 #include "fem/options.hpp"
 #include "model/input/faults.hpp"
-#include "model/scene/shapes/structured_shapes.hpp"
 
 namespace femsph::fem {
 
 namespace {
-
-template <int dim>
-dealii::Point<dim> to_dealii(const Point& p) {
-  dealii::Point<dim> r;
-  for (int d = 0; d < dim; ++d) r[d] = p[d];
-  return r;
-}
-
-template <int dim>
-void triangulate_box(const Shape& shape, const std::array<int, 3>& divisions,
-                     dealii::Triangulation<dim>& triangulation) {
-  std::vector<unsigned int> n(dim);
-  for (int d = 0; d < dim; ++d) {
-    if (divisions[d] < 1)
-      throw Refusal("a box needs at least one cell along each axis, but divisions[" + std::to_string(d) +
-                    "] is " + std::to_string(divisions[d]));
-    n[d] = static_cast<unsigned int>(divisions[d]);
-  }
-  dealii::GridGenerator::subdivided_hyper_rectangle(
-      triangulation, n, to_dealii<dim>(shape.lower()), to_dealii<dim>(shape.upper()));
-}
-
-/// deal.II wants cells of positive measure, so left-handed ones are mirrored, and shared edges of one
-/// direction: both renumber the corners of a cell, lexicographic as they are.
-template <int dim>
-void triangulate_cells(const CellMesh& mesh, dealii::Triangulation<dim>& triangulation) {
-  std::vector<dealii::Point<dim>> vertices;
-  for (const Point& p : mesh.vertices) vertices.push_back(to_dealii<dim>(p));
-  std::vector<dealii::CellData<dim>> cells;
-  for (const auto& c : mesh.cells) {
-    dealii::CellData<dim> cell;
-    for (unsigned int a = 0; a < cell.vertices.size(); ++a)
-      cell.vertices[a] = static_cast<unsigned int>(c[a]);
-    if (dealii::GridTools::cell_measure(vertices, dealii::make_array_view(std::as_const(cell.vertices))) < 0)
-      for (unsigned int a = 0; a < cell.vertices.size(); a += 2)
-        std::swap(cell.vertices[a], cell.vertices[a + 1]);
-    cells.push_back(cell);
-  }
-  dealii::SubCellData none;
-  dealii::GridTools::delete_unused_vertices(vertices, cells, none);
-  dealii::GridTools::consistently_order_cells(cells);
-  triangulation.create_triangulation(vertices, cells, none);
-}
 
 /// Interleaves the bits of three numbers below 2^21: the Z-order curve.
 std::uint64_t interleave(const std::array<std::uint64_t, 3>& k) {
@@ -92,78 +46,63 @@ std::vector<std::size_t> compact_order(const std::vector<Point>& centres, const 
   return order;
 }
 
-template <int dim>
-Mesh plain_mesh(const dealii::Triangulation<dim>& triangulation, const Shape& shape) {
-  constexpr unsigned int corners = 1u << dim;
-  std::vector<std::array<int, corners>> cells;
+double edge_length(const Point& a, const Point& b) {
+  double square = 0;
+  for (int d = 0; d < 3; ++d) square += (b[d] - a[d]) * (b[d] - a[d]);
+  return std::sqrt(square);
+}
+
+/// The longest edge of a cell along its axis `d`.
+double extent(const CellMesh& grid, const std::array<int, 8>& cell, int d) {
+  double longest = 0;
+  for (int a = 0; a < 1 << grid.dim; ++a)
+    if (!(a >> d & 1))
+      longest = std::max(longest, edge_length(grid.vertices[cell[a]], grid.vertices[cell[a | 1 << d]]));
+  return longest;
+}
+
+Point centre(const CellMesh& grid, const std::array<int, 8>& cell) {
+  Point p{};
+  for (int a = 0; a < 1 << grid.dim; ++a)
+    for (int d = 0; d < grid.dim; ++d) p[d] += grid.vertices[cell[a]][d];
+  for (int d = 0; d < grid.dim; ++d) p[d] /= 1 << grid.dim;
+  return p;
+}
+
+}  // namespace
+
+Mesh make_mesh(const Shape& shape, const std::array<int, 3>& divisions, double distortion) {
+  const CellMesh grid = distortion > 0 ? deal_ii().grid(shape, divisions, distortion)
+                                       : make_grid(shape, divisions);
+  const std::size_t dim = static_cast<std::size_t>(grid.dim);
   std::vector<Point> centres;
+  centres.reserve(grid.cells.size());
   Point size{};  // mean extent of a cell along each axis
-  for (const auto& cell : triangulation.active_cell_iterators()) {
-    std::array<int, corners> v;
-    for (unsigned int a = 0; a < corners; ++a) v[a] = static_cast<int>(cell->vertex_index(a));
-    cells.push_back(v);
-    const auto centre = cell->center();
-    Point p{};
-    for (int d = 0; d < dim; ++d) {
-      p[d] = centre[d];
-      size[d] += cell->extent_in_direction(d) / triangulation.n_active_cells();
-    }
-    centres.push_back(p);
+  for (const auto& cell : grid.cells) {
+    centres.push_back(centre(grid, cell));
+    for (std::size_t d = 0; d < dim; ++d)
+      size[d] += extent(grid, cell, static_cast<int>(d)) / static_cast<double>(grid.cells.size());
   }
   Mesh mesh;
-  mesh.dim = dim;
-  std::vector<int> node(triangulation.n_vertices(), -1);
-  const CellMesh* own = shape.cells();  // deal.II keeps the order of the cells that it is given
-  for (const std::size_t c : compact_order(centres, shape.lower(), size, dim)) {
+  mesh.dim = grid.dim;
+  mesh.cells.reserve(grid.cells.size() << dim);
+  mesh.nodes.reserve(grid.vertices.size() * dim);
+  mesh.vertex.reserve(grid.vertices.size());
+  std::vector<int> node(grid.vertices.size(), -1);
+  const CellMesh* own = shape.cells();
+  for (const std::size_t c : compact_order(centres, shape.lower(), size, grid.dim)) {
     if (own && !own->cell_numbers.empty()) mesh.cell_numbers.push_back(own->cell_numbers[c]);
-    for (const int v : cells[c]) {
+    for (int a = 0; a < mesh.corners(); ++a) {
+      const int v = grid.cells[c][a];
       if (node[v] < 0) {
         node[v] = static_cast<int>(mesh.vertex.size());
         mesh.vertex.push_back(v);
-        for (int d = 0; d < dim; ++d) mesh.nodes.push_back(triangulation.get_vertices()[v][d]);
+        for (std::size_t d = 0; d < dim; ++d) mesh.nodes.push_back(grid.vertices[v][d]);
       }
       mesh.cells.push_back(node[v]);
     }
   }
   return mesh;
 }
-
-template <int dim>
-Mesh make_mesh_of(const Shape& shape, const std::array<int, 3>& divisions, double distortion) {
-  dealii::Triangulation<dim> triangulation;
-  make_triangulation<dim>(shape, divisions, distortion, triangulation);
-  return plain_mesh<dim>(triangulation, shape);
-}
-
-}  // namespace
-
-template <int dim>
-void make_triangulation(const Shape& shape, const std::array<int, 3>& divisions, double distortion,
-                        dealii::Triangulation<dim, dim>& triangulation) {
-  if (const CellMesh* cells = shape.cells())
-    triangulate_cells<dim>(*cells, triangulation);
-  else if (dynamic_cast<const Box*>(&shape))
-    triangulate_box<dim>(shape, divisions, triangulation);
-  else if (const auto* structured = dynamic_cast<const StructuredShape*>(&shape))
-    triangulate_cells<dim>(structured->mesh(divisions), triangulation);
-  else if (const auto* disc = dynamic_cast<const Ball*>(&shape); disc && dim == 2)
-    triangulate_cells<dim>(Round(2, {disc->centre(), 0, disc->radius()}).mesh(divisions), triangulation);
-  else
-    throw Refusal("FEM has no mesh for a " + shape.describe() +
-                  "; give it as a body that comes with its own cells (shape = \"mesh\")");
-  if (distortion > 0) dealii::GridTools::distort_random(distortion, triangulation, true, 12345u);
-}
-
-template void make_triangulation<2>(const Shape&, const std::array<int, 3>&, double,
-                                    dealii::Triangulation<2, 2>&);
-template void make_triangulation<3>(const Shape&, const std::array<int, 3>&, double,
-                                    dealii::Triangulation<3, 3>&);
-
-Mesh make_mesh(const Shape& shape, const std::array<int, 3>& divisions, double distortion) {
-  return shape.dim() == 2 ? make_mesh_of<2>(shape, divisions, distortion)
-                          : make_mesh_of<3>(shape, divisions, distortion);
-}
-
-std::string deal_ii_version() { return DEAL_II_PACKAGE_VERSION; }
 
 }  // namespace femsph::fem

@@ -1,16 +1,11 @@
 #pragma once
-// The plain mesh that the element loops work on. deal.II makes it (mesh.cpp); this header does not show it.
+// The plain mesh that the element loops work on.
 
 #include <array>
 #include <string>
 #include <vector>
 
 #include "model/scene/shapes/shape.hpp"
-
-namespace dealii {
-template <int, int>
-class Triangulation;
-}
 
 namespace femsph::fem {
 
@@ -19,7 +14,7 @@ struct Mesh {
   std::vector<double> nodes;  ///< m, interleaved: node * dim + component
   std::vector<int> cells;     ///< 2^dim nodes per cell, lexicographic; cells and nodes ordered so that
                               ///< neighbours are near in memory
-  std::vector<int> vertex;    ///< node -> vertex of the triangulation it came from
+  std::vector<int> vertex;    ///< node -> vertex of the grid it came from (grid.hpp)
   std::vector<std::size_t>
       cell_numbers;  ///< those of the mesh file; empty: the body comes with no cells of its own
 
@@ -40,10 +35,6 @@ struct Mesh {
 /// A box becomes divisions[0] x divisions[1] (x divisions[2]) cells, a shape with cells keeps them. Inner
 /// vertices are then moved in random directions (fixed seed) by up to `distortion` of their shortest edge.
 /// Throws std::runtime_error with one sentence.
-template <int dim>
-void make_triangulation(const Shape& shape, const std::array<int, 3>& divisions, double distortion,
-                        dealii::Triangulation<dim, dim>& triangulation);
-
 Mesh make_mesh(const Shape& shape, const std::array<int, 3>& divisions, double distortion);
 
 }  // namespace femsph::fem

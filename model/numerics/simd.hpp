@@ -15,7 +15,6 @@ namespace femsph {
 inline constexpr int lanes = 8;
 
 using Pack = double __attribute__((vector_size(lanes * sizeof(double))));
-using PackUnaligned = double __attribute__((vector_size(lanes * sizeof(double)), aligned(sizeof(double))));
 using PackMask = long __attribute__((vector_size(lanes * sizeof(long))));
 
 #ifdef __OPTIMIZE__
@@ -40,14 +39,17 @@ FEMSPH_INLINE T load(const double* p) {
   return *reinterpret_cast<const T*>(p);
 }
 
-/// Load from any address.
+/// Load from, and store to, any address that a double may have. (Not by a vector type of lower
+/// alignment: Clang 14 reads through it as if it were aligned.)
 template <class T>
 FEMSPH_INLINE T load_unaligned(const double* p) {
-  return *reinterpret_cast<const PackUnaligned*>(p);
+  T x;
+  __builtin_memcpy(&x, p, sizeof x);
+  return x;
 }
-template <>
-FEMSPH_INLINE double load_unaligned<double>(const double* p) {
-  return *p;
+template <class T>
+FEMSPH_INLINE void store_unaligned(double* p, T x) {
+  __builtin_memcpy(p, &x, sizeof x);
 }
 
 /// Store to an address aligned to the size of T.

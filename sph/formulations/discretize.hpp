@@ -30,6 +30,16 @@ extern template std::unique_ptr<Discretization> total_lagrangian<2>(const Scene&
 extern template std::unique_ptr<Discretization> total_lagrangian<3>(const Scene&, std::size_t, const Options&,
                                                                     Particles, const Kernel&);
 
+/// Classic SPH on the initial neighbours in small motion, elastic whatever the scene's material is.
+template <int dim>
+std::unique_ptr<Discretization> small_motion_body(const Scene& scene, std::size_t body,
+                                                  const Options& options, Particles particles,
+                                                  const Kernel& kernel, const LinearElastic& elastic);
+extern template std::unique_ptr<Discretization> small_motion_body<2>(
+    const Scene&, std::size_t, const Options&, Particles, const Kernel&, const LinearElastic&);
+extern template std::unique_ptr<Discretization> small_motion_body<3>(
+    const Scene&, std::size_t, const Options&, Particles, const Kernel&, const LinearElastic&);
+
 /// Classic SPH on updated neighbours with the Jaumann rate, for large motion.
 template <int dim>
 std::unique_ptr<Discretization> updated_lagrangian(

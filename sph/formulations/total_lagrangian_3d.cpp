@@ -4,5 +4,7 @@ namespace femsph::sph {
 
 template std::unique_ptr<Discretization> total_lagrangian<3>(const Scene&, std::size_t, const Options&,
                                                              Particles, const Kernel&);
+template std::unique_ptr<Discretization> small_motion_body<3>(const Scene&, std::size_t, const Options&,
+                                                              Particles, const Kernel&, const LinearElastic&);
 
 }  // namespace femsph::sph

@@ -47,4 +47,17 @@ std::unique_ptr<Discretization> total_lagrangian(const Scene& scene, std::size_t
       law);
 }
 
+template <int dim>
+std::unique_ptr<Discretization> small_motion_body(const Scene& scene, std::size_t body,
+                                                  const Options& options, Particles particles,
+                                                  const Kernel& kernel, const LinearElastic& elastic) {
+  const auto with = [&]<class Stencils>() -> std::unique_ptr<Discretization> {
+    return std::make_unique<TotalLagrangian<dim, Stencils, SmallStrain, LinearElastic, Correction::none>>(
+        scene, body, options, std::move(particles), kernel, elastic);
+  };
+  return particles.regular && !options.force_lists
+             ? with.template operator()<LatticeStencils<dim>>()
+             : with.template operator()<ListStencils<dim>>();
+}
+
 }  // namespace femsph::sph

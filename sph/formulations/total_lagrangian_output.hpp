@@ -1,5 +1,5 @@
 #pragma once
-// The rest of total_lagrangian.hpp: energies, bars, the states of material points, and where it ends.
+// The rest of total_lagrangian.hpp: energies, bars, the states of material points.
 
 #include "model/material/spatial_state.hpp"
 #include "model/material/stiffening.hpp"
@@ -13,19 +13,20 @@ Energies TotalLagrangian<dim, Stencils, Kinematics, LawType, correction>::energi
     const double* given) const {
   const double* u = with_mirrored(given);
   double in_bars = 0;
-  each_bar<Kinematics>(u, bars_.pieces, [&](const SmearedPiece& piece, double strain, const Pull&) {
-    in_bars += bars_.volume(piece) * bars_.rows[piece.row].law.stored(strain, piece.state);
-  });
-  if constexpr (mean) changes_of_volume<Kinematics, false>(u);
+  this->template each_bar<Kinematics>(
+      u, bars_.pieces, [&](const SmearedPiece& piece, double strain, const Pull&) {
+        in_bars += bars_.volume(piece) * bars_.rows[piece.row].law.stored(strain, piece.state);
+      });
+  if constexpr (mean) this->template changes_of_volume<Kinematics, false>(u);
   const auto [stored, controlled, lost] = parallel_sums<3>(blocks(), [&](std::size_t begin, std::size_t end) {
     Pack stored{}, controlled{}, lost{};
     for (std::size_t block = begin; block < end; ++block) {
       Tensor<Pack, dim> H;
       Pack L[dim];
-      gradient<false>(block, u, H, L);
+      this->template gradient<false>(block, u, H, L);
       Symmetric<Pack, dim> strain;
       Kinematics::template strain<Pack, dim>(H, strain);
-      enlarge<Kinematics>(block, strain);
+      this->template enlarge<Kinematics>(block, strain);
       const Pack volume = operator_.volume(block);
       stored += volume * law_.stored_energy(strain, stress_now(block, strain), history(block));
       if constexpr (n_state > 0) lost += volume * law_.plastic_work(history(block));
@@ -63,7 +64,7 @@ template <int dim, class Stencils, class Kinematics, class LawType, Correction c
 std::vector<BarPiece> TotalLagrangian<dim, Stencils, Kinematics, LawType, correction>::bars(
     const double* u) const {
   std::vector<BarPiece> out;
-  each_bar<Kinematics>(
+  this->template each_bar<Kinematics>(
       with_mirrored(u), bars_.pieces, [&](const SmearedPiece& piece, double strain, const Pull&) {
         const BarRow& row = bars_.rows[piece.row];
         out.push_back({row.bar, particles_.position[piece.particle], row.area, piece.length, strain,
@@ -90,9 +91,9 @@ void TotalLagrangian<dim, Stencils, Kinematics, LawType, correction>::material_s
       const std::size_t block = points[k] / lanes, lane = points[k] % lanes;
       if (block != known) {
         Pack L[dim];
-        gradient<false>(block, u, H, L);
+        this->template gradient<false>(block, u, H, L);
         Kinematics::template strain<Pack, dim>(H, strain);
-        enlarge<Kinematics>(block, strain);
+        this->template enlarge<Kinematics>(block, strain);
         stress = stress_now(block, strain);
         if constexpr (mean) excess = dilatation_->pressure_excess(block);
         known = block;
@@ -139,73 +140,16 @@ void TotalLagrangian<dim, Stencils, Kinematics, LawType, correction>::mean_stres
         },
         lanes);
   };
-  each(needed, [&](std::size_t block) { change_of_volume<Kinematics, false>(block, u); });
+  each(needed, [&](std::size_t block) { this->template change_of_volume<Kinematics, false>(block, u); });
   dilatation_->mirror_volume(particles_);
   each(near, [&](std::size_t block) {
     Symmetric<Pack, dim> strain;
     Kinematics::template strain<Pack, dim>(kept_gradient(block), strain);
-    enlarge<Kinematics>(block, strain);
+    this->template enlarge<Kinematics>(block, strain);
     store(
         dilatation_->pressure(block), VolumeChange<Kinematics, dim>::work(strain, stress_now(block, strain)));
   });
   dilatation_->mirror_pressure(particles_);
-}
-
-/// Of a field with second derivatives the corrected gradient of particle i is, to first order, that at x_i +
-/// s_i: the least-squares place
-///   s_i = 1/(dim + 1) sum_j (G_ij . x_ij) x_ij,  G_ij = B_i w_ij;
-/// zero where the neighbours lie evenly, and into the body at its surface. An uncorrected gradient has an
-/// error of order 0 there and no such place.
-template <int dim, class Stencils, class Kinematics, class LawType, Correction correction>
-MaterialUnits TotalLagrangian<dim, Stencils, Kinematics, LawType, correction>::material_units() const {
-  MaterialUnits units = ParticleBody::material_units();
-  if constexpr (corrected) {
-    if (options_.formulation != Formulation::corrected) return units;
-    AlignedVector<double> x(layout_.size, 0.0);
-    for (std::size_t i = 0; i < particles_.position.size(); ++i)
-      for (int c = 0; c < dim; ++c) x[layout_.at(i, c)] = particles_.position[i][std::size_t(c)];
-    parallel_for(blocks() * lanes, lanes, [&](std::size_t begin, std::size_t end) {
-      for (std::size_t block = begin / lanes; block < end / lanes; ++block) {
-        Tensor<Pack, dim> sum[dim]{};  // w_a x_b x_c
-        operator_.stencils().each(block, x.data() + first(block), stride(),
-                                  [&](const Pack(&apart)[dim], const Pack(&w)[dim], const Pack&) {
-                                    for (int a = 0; a < dim; ++a)
-                                      for (int b = 0; b < dim; ++b)
-                                        for (int c = 0; c < dim; ++c)
-                                          sum[a][b][c] += w[a] * apart[b] * apart[c];
-                                  });
-        for (std::size_t i = block * lanes; i < std::min((block + 1) * lanes, particles_.size()); ++i)
-          for (int c = 0; c < dim; ++c)
-            for (int a = 0; a < dim; ++a)
-              for (int b = 0; b < dim; ++b)
-                units.place[i][std::size_t(c)] += operator_.correction(i, a, b) * sum[a][b][c][i % lanes] /
-                                                  (dim + 1);
-      }
-    });
-  }
-  return units;
-}
-
-/// det F <= 0 at a particle.
-template <int dim, class Stencils, class Kinematics, class LawType, Correction correction>
-std::optional<Trouble> TotalLagrangian<dim, Stencils, Kinematics, LawType, correction>::trouble(
-    const double* given) const {
-  const double* u = with_mirrored(given);
-  AlignedVector<double> det(blocks() * lanes);
-  parallel_for(blocks() * lanes, lanes, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t block = begin / lanes; block < end / lanes; ++block) {
-      Tensor<Pack, dim> F;
-      Pack L[dim];
-      gradient<false>(block, u, F, L);
-      for (int a = 0; a < dim; ++a) F[a][a] += 1.0;
-      Pack d = F[0][0] * F[1][1] - F[0][1] * F[1][0];
-      if constexpr (dim == 3)
-        d = d * F[2][2] + (F[0][2] * F[1][0] - F[0][0] * F[1][2]) * F[2][1] +
-            (F[0][1] * F[1][2] - F[0][2] * F[1][1]) * F[2][0];
-      store(&det[block * lanes], d);
-    }
-  });
-  return inside_out(det, u);
 }
 
 template <int dim, class Stencils, class Kinematics, class LawType, Correction correction>
@@ -220,7 +164,7 @@ std::optional<Stiffening> TotalLagrangian<dim, Stencils, Kinematics, LawType, co
       for (std::size_t block = begin / lanes; block < end / lanes; ++block) {
         Tensor<Pack, dim> F, inverse;
         Pack L[dim];
-        gradient<false>(block, u, F, L);
+        this->template gradient<false>(block, u, F, L);
         for (int a = 0; a < dim; ++a) F[a][a] += 1.0;
         const Pack J = invert(F, inverse);
         store(&ratio[block * lanes], femsph::stiffening<Pack, dim>(law_, inverse, J));
@@ -230,7 +174,7 @@ std::optional<Stiffening> TotalLagrangian<dim, Stencils, Kinematics, LawType, co
     for (std::size_t i = 1; i < particles_.size(); ++i)
       if (!(ratio[i] <= ratio[most])) most = i;
     return Stiffening{ratio[most] == ratio[most] ? ratio[most] : std::numeric_limits<double>::infinity(),
-                      "particle " + std::to_string(most), place_now(most, u)};
+                      "particle " + std::to_string(most), this->place_now(most, u)};
   }
 }
 

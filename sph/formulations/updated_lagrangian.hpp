@@ -33,17 +33,12 @@ class UpdatedLagrangian final : public ParticleBody {
  public:
   UpdatedLagrangian(const Scene& scene, std::size_t body, const Options& options, Particles particles,
                     const Kernel& kernel, const LawType& law)
-      : ParticleBody(scene, body, options, std::move(particles), kernel),
+      : ParticleBody(scene, body, options, particles, kernel),
+        small_(small_motion_body<dim>(scene, body, options, std::move(particles), kernel, law.elastic())),
         law_(law),
         kernel_(kernel),
         blocks_(round_up(particles_.size(), lanes) / lanes),
         neighbours_(particles_.position, layout_, kernel.radius(), 0.3 * particles_.spacing) {
-    Scene small = scene;  // the undeformed body moves little: its stiffness is that of the fixed neighbours
-    small.large_motion = false;
-    Material& material = small.materials.at(small.bodies[body].material);
-    material.plasticity.reset();
-    material.neo_hookean = false;
-    small_ = discretize(small, body, options);
     start_.assign(layout_.size, 0.0);
     volume_.assign(blocks_ * lanes, 0.0);
     for (std::size_t i = 0; i < particles_.size(); ++i) {
@@ -231,11 +226,11 @@ class UpdatedLagrangian final : public ParticleBody {
     });
   }
 
+  std::unique_ptr<Discretization> small_;  ///< of the undeformed body: its stiffness, its damping
   LawType law_;
   Kernel kernel_;
   std::size_t blocks_;
   MovingNeighbours neighbours_;
-  std::unique_ptr<Discretization> small_;
   AlignedVector<double> start_;   ///< undeformed positions, flat
   AlignedVector<double> volume_;  ///< m^dim, without the thickness
   AlignedVector<double> state_;   ///< [block][slot][lane]

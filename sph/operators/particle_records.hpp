@@ -14,17 +14,17 @@ FEMSPH_INLINE void transpose(Pack (&m)[lanes]) {
   static_assert(lanes == 8);
   Pack a[8], b[8];
   for (int i = 0; i < 8; i += 2) {
-    a[i] = __builtin_shuffle(m[i], m[i + 1], PackMask{0, 8, 2, 10, 4, 12, 6, 14});
-    a[i + 1] = __builtin_shuffle(m[i], m[i + 1], PackMask{1, 9, 3, 11, 5, 13, 7, 15});
+    a[i] = __builtin_shufflevector(m[i], m[i + 1], 0, 8, 2, 10, 4, 12, 6, 14);
+    a[i + 1] = __builtin_shufflevector(m[i], m[i + 1], 1, 9, 3, 11, 5, 13, 7, 15);
   }
   for (int i = 0; i < 8; i += 4)
     for (int k = 0; k < 2; ++k) {
-      b[i + k] = __builtin_shuffle(a[i + k], a[i + k + 2], PackMask{0, 1, 8, 9, 4, 5, 12, 13});
-      b[i + k + 2] = __builtin_shuffle(a[i + k], a[i + k + 2], PackMask{2, 3, 10, 11, 6, 7, 14, 15});
+      b[i + k] = __builtin_shufflevector(a[i + k], a[i + k + 2], 0, 1, 8, 9, 4, 5, 12, 13);
+      b[i + k + 2] = __builtin_shufflevector(a[i + k], a[i + k + 2], 2, 3, 10, 11, 6, 7, 14, 15);
     }
   for (int k = 0; k < 4; ++k) {
-    m[k] = __builtin_shuffle(b[k], b[k + 4], PackMask{0, 1, 2, 3, 8, 9, 10, 11});
-    m[k + 4] = __builtin_shuffle(b[k], b[k + 4], PackMask{4, 5, 6, 7, 12, 13, 14, 15});
+    m[k] = __builtin_shufflevector(b[k], b[k + 4], 0, 1, 2, 3, 8, 9, 10, 11);
+    m[k + 4] = __builtin_shufflevector(b[k], b[k + 4], 4, 5, 6, 7, 12, 13, 14, 15);
   }
 }
 

@@ -56,7 +56,7 @@ struct TensorRecords {
     for (int k = 0; k < lanes; ++k) m[k] = Q[k];
     transpose(m);
     for (int l = 0; l < lanes; ++l) {
-      *reinterpret_cast<PackUnaligned*>(q + l * size) = m[l];
+      store_unaligned(q + l * size, m[l]);
       q[l * size + 8] = Q[8][l];
     }
   }

@@ -20,7 +20,7 @@ namespace fem {
 
 template <class ElementType>
 std::unique_ptr<CellLoop> plane_loop(const LoopInput& in) {
-  if (in.mesh->dim != 2 || in.scalar_kernel) absent();
+  if (in.mesh->dim != 2) absent();
   if (const auto* elastic = std::get_if<LinearElastic>(&in.law)) {
     if (in.large_motion)
       return std::make_unique<Loop<ElementType, FiniteRotation, LinearElastic, 2, Pack>>(in, *elastic);

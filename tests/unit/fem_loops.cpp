@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include "fem_scalar_loop.hpp"
 #include "fem_support.hpp"
 #include "model/numerics/parallel.hpp"
 
@@ -46,7 +47,7 @@ TEST_P(Dimension, OneCellAtATimeEqualsEight) {
       options.divisions = {5, 3, 3};  // 15 or 45 cells: the last batch is not full
       options.distortion = 0.2;
       const auto packed = fem::discretize(block(GetParam(), large), 0, options);
-      options.scalar_kernel = true;
+      options.loop = make_scalar_loop;
       const auto scalar = fem::discretize(block(GetParam(), large), 0, options);
       const auto u = random_field(*packed, 0.02);
       expect_equal(force(*packed, u), force(*scalar, u), 1e-12);
@@ -65,7 +66,7 @@ TEST_P(Dimension, OneYieldingCellAtATimeEqualsEight) {
       options.divisions = {5, 3, 3};
       options.distortion = 0.2;
       const auto packed = fem::discretize(scene, 0, options);
-      options.scalar_kernel = true;
+      options.loop = make_scalar_loop;
       const auto scalar = fem::discretize(scene, 0, options);
       auto u = random_field(*packed, 3e-4);
       for (int turn = 0; turn < 6; ++turn) {

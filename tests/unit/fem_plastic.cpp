@@ -5,6 +5,7 @@
 
 #include <numbers>
 
+#include "fem_scalar_loop.hpp"
 #include "fem_support.hpp"
 #include "model/material/point.hpp"
 
@@ -19,7 +20,7 @@ std::unique_ptr<Discretization> plastic_body(Plane plane, bool large, Element el
   o.element = element;
   o.divisions = {3, 3, 3};
   o.distortion = 0.2;
-  o.scalar_kernel = scalar;
+  if (scalar) o.loop = make_scalar_loop;
   return fem::discretize(s, 0, o);
 }
 

@@ -91,7 +91,7 @@ TEST(OwnBall, RimLiesOnTheSphereAndNeighboursShareVertices) {
     for (const auto& [face, count] : faces) {
       ASSERT_LE(count, 2);
       if (count == 2) continue;
-      const auto all_on = [&](const char* side) {
+      const auto all_on = [&, &face = face](const char* side) {
         return std::all_of(
             face.begin(), face.end(), [&](int v) { return ball.on_side(side, mesh.vertices[v], 1e-9); });
       };

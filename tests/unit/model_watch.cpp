@@ -15,7 +15,7 @@ namespace {
 using testing::AllOf;
 using testing::HasSubstr;
 
-constexpr double mass_of_it = 2.0, spring = 800.0, omega = 20.0;  // the critical step is 2 / omega = 0.1 s
+constexpr double mass_of_it = 2.0, spring = 800.0;  // the critical step is 2 sqrt(m / k) = 0.1 s
 
 /// m u'' = -k u on one point, with something added.
 class Mass : public test::FakeBody {

@@ -57,15 +57,17 @@ bool write_all(int to, const std::string& bytes) {
 
 }  // namespace
 
-bool in_child(const std::function<std::string()>& work, const ChildLimits& limits, std::string& result) {
+bool in_child(const std::function<std::string()>& work, const ChildLimits& limits, std::string& result,
+              const std::function<void()>& prepare) {
   int ends[2];
   if (pipe(ends) != 0) return false;
   const pid_t child = fork();
   if (child == 0) {
     close(ends[0]);
-    confine(limits);
     bool done = false;
     try {
+      if (prepare) prepare();
+      confine(limits);
       done = write_all(ends[1], work());
     } catch (...) {
     }

@@ -12,8 +12,10 @@ struct ChildLimits {
   std::size_t bytes;  ///< of memory beyond what this process holds
 };
 
-/// What `work` returns, computed in a child process; nothing if the child crashed, ran out of time or memory,
-/// or could not be started. An exception of work ends the child like a crash. What the child prints is lost.
-bool in_child(const std::function<std::string()>& work, const ChildLimits& limits, std::string& result);
+/// What `work` returns, computed in a child process after `prepare`, which the limits do not count (and which
+/// must not throw); nothing if the child crashed, ran out of time or memory, or could not be started. An
+/// exception of work ends the child like a crash. What the child prints is lost.
+bool in_child(const std::function<std::string()>& work, const ChildLimits& limits, std::string& result,
+              const std::function<void()>& prepare = {});
 
 }  // namespace femsph

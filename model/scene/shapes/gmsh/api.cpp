@@ -1,4 +1,4 @@
-#include "model/scene/shapes/gmsh_api.hpp"
+#include "model/scene/shapes/gmsh/api.hpp"
 
 #include <fmt/format.h>
 #include <gmsh.h>

@@ -1,6 +1,6 @@
 // Layout of the sections: Gmsh reference manual, "MSH file format" and its legacy versions.
 
-#include "model/scene/shapes/msh_scan.hpp"
+#include "model/scene/shapes/gmsh/msh_scan.hpp"
 
 #include <fmt/format.h>
 

@@ -1,12 +1,12 @@
 #pragma once
-// The few calls of Gmsh's API that the reader of meshes makes; only gmsh*.cpp include this, and call it in
-// the child process.
+// The few calls of Gmsh's API that the reader of meshes makes; only the sources of this
+// module include this.
 
 #include <string>
 #include <unordered_map>
 #include <vector>
 
-#include "model/scene/shapes/msh_scan.hpp"
+#include "model/scene/shapes/gmsh/msh_scan.hpp"
 #include "model/scene/shapes/shape.hpp"
 
 namespace femsph::gmsh_reader {

@@ -11,7 +11,7 @@
 #include <set>
 
 #include "model/input/faults.hpp"
-#include "model/scene/shapes/gmsh_api.hpp"
+#include "model/scene/shapes/gmsh/api.hpp"
 #include "model/scene/shapes/mesh_sides.hpp"
 
 namespace femsph::gmsh_reader {

@@ -1,0 +1,11 @@
+#pragma once
+// What stands behind discretize_oracle() and static_limit() of fem.hpp.
+
+#include "fem/fem.hpp"
+
+namespace femsph::fem {
+
+std::unique_ptr<Discretization> make_oracle(const Scene& scene, std::size_t body, const Options& options);
+StaticLimit solve_static(const Scene& scene, const std::array<int, 3>& divisions, int degree);
+
+}  // namespace femsph::fem

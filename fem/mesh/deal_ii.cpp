@@ -1,0 +1,17 @@
+#include "fem/mesh/deal_ii.hpp"
+
+#include "femsph_provenance.hpp"
+#include "model/numerics/principal.hpp"
+
+namespace femsph::fem {
+
+/// What the module calls of the program, and nothing else in some programs does: the linker would leave it
+/// out.
+[[gnu::used]] const void* const asked_by_the_module = reinterpret_cast<const void*>(&principal_values);
+
+const DealIi& deal_ii() {
+  static const DealIi& table = *static_cast<const DealIi*>(open_module("femsph_deal_ii", FEMSPH_BUILD_ID));
+  return table;
+}
+
+}  // namespace femsph::fem

@@ -1,0 +1,16 @@
+#pragma once
+// The module that reads meshes by Gmsh's library: its table of functions.
+
+#include <string>
+
+#include "model/numerics/module.hpp"
+#include "model/scene/shapes/shape.hpp"
+
+namespace femsph {
+
+struct GmshModule : ModuleHead {
+  /// Throws std::runtime_error with one sentence. Gmsh may crash: call it in a child process.
+  CellMesh (*read)(const std::string& file, int dim, double unit);
+};
+
+}  // namespace femsph

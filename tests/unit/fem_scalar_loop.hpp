@@ -1,0 +1,13 @@
+#pragma once
+// The element loops with one double in place of eight lanes: the same kernels, one cell at a time.
+
+#include <memory>
+
+#include "fem/elements/cell_loop.hpp"
+
+namespace femsph::test {
+
+/// For fem::Options::loop.
+std::unique_ptr<fem::CellLoop> make_scalar_loop(fem::Element element, const fem::LoopInput& in);
+
+}  // namespace femsph::test
