@@ -96,7 +96,7 @@ ExplicitFem::ExplicitFem(const Scene& scene, std::size_t body, const Options& op
   bars_ = TrussBars(rows, nodes, mesh_.dim, scene.large_motion);
   bars_.add_mass(mass_);
   bars_text_ = femsph::describe(rows, scene);
-  plasticity_ = material.plasticity;
+  yields_ = material.yields();
   wave_speed_ = std::visit([](const auto& l) { return l.wave_speed(); }, law_);
   loop_ = make_loop(element_, {&mesh_, &batches_, law_, thickness_, options.hourglass, scene.large_motion,
                                options.scalar_kernel});
@@ -116,10 +116,10 @@ std::string ExplicitFem::describe() const {
 std::vector<std::string> ExplicitFem::warnings() const {
   const double poisson = std::visit([](const auto& l) { return l.elastic().poisson; }, law_);
   if (plane_ == Plane::stress || (element_ != Element::full && element_ != Element::sri) ||
-      (poisson <= 0.45 && !plasticity_))
+      (poisson <= 0.45 && !yields_))
     return {};
-  std::string why = plasticity_ ? "plastic flow keeps the volume" : "";
-  if (poisson > 0.45) why = "Poisson's ratio is " + in_short(poisson) + (plasticity_ ? ", and " + why : "");
+  std::string why = yields_ ? "plastic flow keeps the volume" : "";
+  if (poisson > 0.45) why = "Poisson's ratio is " + in_short(poisson) + (yields_ ? ", and " + why : "");
   return {why + ": " + name_of(element_) +
           " locks in volume, and displacements may come out far too small; fem-assumed-strain and "
           "fem-one-point do not"};
@@ -240,9 +240,8 @@ void ExplicitFem::material_state(const double* u, std::span<const std::size_t> p
   const std::size_t n = static_cast<std::size_t>(loop_->points_per_cell());
   out.stress.resize(points.size());
   out.strain.resize(points.size());
-  const bool plastic = plasticity_.has_value();
-  out.plastic.resize(plastic ? points.size() : 0);
-  out.resize_flow(plasticity_ ? &*plasticity_ : nullptr, points.size());
+  out.plastic.resize(yields_ ? points.size() : 0);
+  out.resize_flow(std::visit([](const auto& l) { return plasticity_of(l); }, law_), points.size());
   parallel_for(points.size(), n * lanes, [&](std::size_t begin, std::size_t end) {
     std::array<Sample, 8> cell;
     std::size_t known = std::numeric_limits<std::size_t>::max();
@@ -254,7 +253,7 @@ void ExplicitFem::material_state(const double* u, std::span<const std::size_t> p
       const Sample& sample = cell[points[k] % n];
       out.stress[k] = sample.stress;
       out.strain[k] = sample.strain;
-      if (!plastic) continue;
+      if (!yields_) continue;
       out.plastic[k] = sample.plastic;
       out.set_flow(k, sample.flow);
     }

@@ -12,23 +12,12 @@
 #include <vector>
 
 #include "model/input/faults.hpp"
-#include "model/material/law.hpp"
+#include "model/material/material.hpp"
 #include "model/scene/shapes/shape.hpp"
 
 namespace femsph {
 
 using Matrix = std::array<Point, 3>;  ///< rows
-
-struct Material {
-  std::string name;
-  double young, poisson, density;             ///< Pa, 1, kg/m^3
-  std::optional<Plasticity> plasticity = {};  ///< none: elastic
-  bool neo_hookean = false;                   ///< elastic, at large strain
-  Law law(Plane plane) const;                 ///< the law of this material in that plane
-};
-
-/// The words for stress integration: "return", "no-return-1", ..
-const std::vector<std::pair<std::string, Integration>>& integrations();
 
 struct Body {
   std::string name;

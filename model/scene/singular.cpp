@@ -250,7 +250,7 @@ void add_clamps(const Scene& scene, double reach, std::vector<SingularPlace>& fo
         support.place.sides.size() != 1)
       continue;
     const Material& m = scene.material_of(scene.bodies[b]);
-    const bool bounded = m.plasticity && m.plasticity->hardening == 0 && !m.plasticity->johnson_cook;
+    const bool bounded = m.plasticity() && m.plasticity()->perfect();
     const double near = std::max(reach, tolerance_of(*box));
     const auto ends = ends_of(scene, support, *box, m.poisson > 0);
     const auto names = observers(scene, b, [&](Quantity quantity, const Point& p) {
@@ -334,7 +334,7 @@ double sinks_per_halving(const Scene& scene, const Place& place) {
   const auto* box = dynamic_cast<const Box*>(body.shape.get());
   if (!box || scene.dim() != 2 || body.rigid) return 0;
   const Material& m = scene.material_of(body);
-  if (m.plasticity || m.neo_hookean) return 0;
+  if (!m.is_linear_elastic()) return 0;
   const double stiffness = (scene.plane == Plane::strain ? m.young / (1 - m.poisson * m.poisson) : m.young) *
                            body.thickness;
   const Region part = place.point ? Region{*place.point, *place.point} : part_of(*box, place);

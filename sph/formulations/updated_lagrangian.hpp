@@ -40,9 +40,7 @@ class UpdatedLagrangian final : public ParticleBody {
         neighbours_(particles_.position, layout_, kernel.radius(), 0.3 * particles_.spacing) {
     Scene small = scene;  // the undeformed body moves little: its stiffness is that of the fixed neighbours
     small.large_motion = false;
-    Material& material = small.materials.at(small.bodies[body].material);
-    material.plasticity.reset();
-    material.neo_hookean = false;
+    small.materials.at(small.bodies[body].material).parameters = LinearElastic::Parameters{};
     small_ = discretize(small, body, options);
     start_.assign(layout_.size, 0.0);
     volume_.assign(blocks_ * lanes, 0.0);

@@ -165,8 +165,9 @@ TEST(Singular, StressWhereAClampEnds) {
   other.sections.clear();
   EXPECT_THAT(singular_places(other), IsEmpty());
   other = scene;
-  other.materials["steel"].plasticity.emplace();  // stress is bounded by the yield stress, strain by nothing
-  other.materials["steel"].plasticity->yield = 3e8, other.materials["steel"].plasticity->hardening = 0;
+  Plasticity perfect;  // stress is bounded by the yield stress, strain by nothing
+  perfect.yield = 3e8;
+  other.materials["steel"].parameters = perfect;
   EXPECT_THAT(observers(other, Kind::clamp), ElementsAre("root"));
 }
 

@@ -10,7 +10,9 @@
 // pieces: return_mapping.hpp, no_return.hpp, tension.hpp.
 
 #include <optional>
+#include <utility>
 
+#include "model/material/laws/flow_stress.hpp"
 #include "model/material/laws/return_mapping.hpp"
 #include "model/numerics/elementary.hpp"
 
@@ -49,11 +51,30 @@ struct Plasticity {
   TensionRule tension = TensionRule::none;
   double tensile_strength = 0;  ///< Pa; sign and principal only
   Integration integration = Integration::return_mapping;
-  std::optional<JohnsonCook> johnson_cook =
-      {};  ///< in place of `hardening`; with return mapping and without a tension rule only
+  /// In place of `hardening`; with return mapping and without a tension rule only.
+  std::optional<JohnsonCook> johnson_cook = {};
+
+  /// The yield stress stays what it is.
+  bool perfect() const { return hardening == 0 && !johnson_cook; }
 };
 
+/// The words for stress integration: "return", "no-return-1", ..
+const std::vector<std::pair<std::string, Integration>>& integrations();
+
 struct Plastic {
+  using Parameters = Plasticity;
+  static constexpr const char* name = "plastic";
+  // What the law says of itself, and the reading of its keys: plastic_keys.cpp.
+  static Entry entry();
+  static std::vector<KeyTable> tables();
+  static Parameters read(Fields& fields, const LawInput& in);
+  static std::vector<std::string> effects(const Parameters& p);
+  static BarYield bar(const Parameters& p);
+  static const Plasticity* plasticity(const Parameters& p) { return &p; }
+  static Plastic of(const Parameters& p, const ElasticConstants& m, Plane plane) {
+    return {LinearElastic::make(m.young, m.poisson, m.density, plane), p};
+  }
+
   LinearElastic base;
   Plasticity parameters;
   double step = 0;  ///< s, that the next increments take; 0: unknown
@@ -197,5 +218,11 @@ struct Plastic {
     return history[work];
   }
 };
+
+/// Infinite without return mapping: there the stress passes the yield stress, and rightly by these
+/// hypotheses. By Johnson and Cook's rule what the last step's rate and heat make of it, and not below what
+/// the point bears: where the strain stands still, stress that a rate held up stays.
+FlowStress flow_stress(const Plastic& law, const double* history, double share,
+                       const std::array<double, 6>& cauchy);
 
 }  // namespace femsph
