@@ -9,7 +9,6 @@
 #include "fem/mesh/geometry.hpp"
 #include "model/numerics/least_squares.hpp"
 #include "model/numerics/parallel.hpp"
-#include "model/scene/shapes/structured_shapes.hpp"
 
 namespace femsph::fem {
 
@@ -55,11 +54,6 @@ Layout interleaved(const Mesh& mesh, const Batches& batches) {
   return {mesh.node_count(), mesh.dim, dim, 1, 0, round_up(batches.slots * dim, lanes)};
 }
 
-bool is_curved(const Shape& shape) {
-  return dynamic_cast<const Round*>(&shape) || dynamic_cast<const Ball*>(&shape) ||
-         dynamic_cast<const OwnBall*>(&shape);
-}
-
 }  // namespace
 
 std::unique_ptr<CellLoop> make_loop(Element element, const LoopInput& in) {
@@ -86,7 +80,7 @@ ExplicitFem::ExplicitFem(const Scene& scene, std::size_t body, const Options& op
       batches_(mesh_),
       layout_(interleaved(mesh_, batches_)),
       spacing_(shortest_edge(mesh_)),
-      locator_(mesh_, is_curved(*shape_) ? 0.2 : 0.0),
+      locator_(mesh_, shape_->is_round() ? 0.2 : 0.0),
       law_(scene.material_of(scene.bodies[body]).law(scene.plane)) {
   const Material& material = scene.material_of(scene.bodies[body]);
   mass_ = lumped_mass(mesh_, material.density, thickness_);

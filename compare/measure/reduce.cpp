@@ -97,7 +97,7 @@ double moment(const Curve& curve, const Section& section, const Scene& scene) {
       section.from[2] != section.to[2])
     throw std::runtime_error(
         fmt::format("a moment is of a section of stress along y, and {} is none", in_quotes(section.name)));
-  if (scene.dim() == 3 && !dynamic_cast<const Box*>(body.shape.get()))
+  if (scene.dim() == 3 && !body.shape->is_box())
     throw std::runtime_error(fmt::format(
         "a moment in space is of a box, whose width is known, and body {} is none", in_quotes(body.name)));
   const double middle = 0.5 * (curve.at.front() + curve.at.back());

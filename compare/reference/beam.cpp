@@ -8,6 +8,8 @@
 #include <numbers>
 #include <stdexcept>
 
+#include "model/scene/shapes/box.hpp"
+
 namespace femsph::compare {
 namespace {
 
@@ -27,7 +29,7 @@ bool on_plane(const Place& place, double x, double length) {
 }
 
 /// Where the resultant of a force on a place acts: the place's middle.
-Point middle_of(const Place& place, const Box& shape) {
+Point middle_of(const Place& place, const Shape& shape) {
   if (place.point) return *place.point;
   Point lower = shape.lower(), upper = shape.upper(), middle;
   for (const std::string& side : place.sides) {
@@ -62,7 +64,7 @@ void check_supports(const Scene& scene, const LoadedBox& box, const std::string&
 /// starts with a velocity.
 std::string unknown_to_theory(const Scene& scene, bool moving) {
   if (scene.bodies.size() != 1) return fmt::format("this scene has {} bodies", scene.bodies.size());
-  if (!dynamic_cast<const Box*>(scene.bodies[0].shape.get())) return "this body is no box";
+  if (!scene.bodies[0].shape->is_box()) return "this body is no box";
   if (scene.bodies[0].rigid) return "this body is rigid";
   if (scene.gravity) return "this scene has gravity";
   if (!moving && !scene.initial_velocities.empty()) return "this scene has an initial velocity";
@@ -86,7 +88,7 @@ void add_moment(const Point& arm, const Point& force, Point& moment) {
 LoadedBox box_of(const Scene& scene, const std::string& theory) {
   if (const std::string why = unknown_to_theory(scene, false); !why.empty()) refuse(theory, why);
   const Body& body = scene.bodies[0];
-  const auto* shape = dynamic_cast<const Box*>(body.shape.get());
+  const Box* shape = body.shape->box();
   const Material& material = scene.material_of(body);
   const double nu = material.poisson;
   LoadedBox box{};

@@ -13,7 +13,6 @@
 
 #include "fem/options.hpp"
 #include "model/input/faults.hpp"
-#include "model/scene/shapes/structured_shapes.hpp"
 
 namespace femsph::fem {
 
@@ -142,12 +141,10 @@ void make_triangulation(const Shape& shape, const std::array<int, 3>& divisions,
                         dealii::Triangulation<dim, dim>& triangulation) {
   if (const CellMesh* cells = shape.cells())
     triangulate_cells<dim>(*cells, triangulation);
-  else if (dynamic_cast<const Box*>(&shape))
+  else if (shape.is_box())
     triangulate_box<dim>(shape, divisions, triangulation);
-  else if (const auto* structured = dynamic_cast<const StructuredShape*>(&shape))
-    triangulate_cells<dim>(structured->mesh(divisions), triangulation);
-  else if (const auto* disc = dynamic_cast<const Ball*>(&shape); disc && dim == 2)
-    triangulate_cells<dim>(Round(2, {disc->centre(), 0, disc->radius()}).mesh(divisions), triangulation);
+  else if (const std::optional<CellMesh> cut = shape.cut(divisions))
+    triangulate_cells<dim>(*cut, triangulation);
   else
     throw Refusal("FEM has no mesh for a " + shape.describe() +
                   "; give it as a body that comes with its own cells (shape = \"mesh\")");

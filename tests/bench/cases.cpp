@@ -5,6 +5,8 @@
 #include <cmath>
 #include <cstring>
 
+#include "model/scene/shapes/box.hpp"
+
 namespace femsph::bench {
 
 namespace {

@@ -9,6 +9,7 @@
 #include "compare/measure/reduce.hpp"
 #include "compare/reference/theory.hpp"
 #include "compare_support.hpp"
+#include "model/scene/shapes/box.hpp"
 
 namespace femsph::compare {
 namespace {
@@ -242,18 +243,16 @@ TEST(Premises, OfTheBarAndTheCantilever) {
                         s.supports[0].place.within = Region{{0, 0, 0}, {0, 0.05, 0}};
                       }),
               HasSubstr("not held along x"));
-  EXPECT_THAT(
-      refused("cantilever_tip", cantilever(), [](Scene& s) { s.materials["steel"].parameters = NeoHookean::Parameters{}; }),
-      HasSubstr("neo-Hookean"));
+  EXPECT_THAT(refused("cantilever_tip", cantilever(),
+                      [](Scene& s) { s.materials["steel"].parameters = NeoHookean::Parameters{}; }),
+              HasSubstr("neo-Hookean"));
   EXPECT_THAT(refused("bar_period", bar(), [](Scene& s) { s.damping = 100; }), HasSubstr("has damping"));
   EXPECT_THAT(refused("cantilever_tip_peak", cantilever(), [](Scene& s) { s.settling.emplace(); }),
               HasSubstr("has damping"));
   // P L (h/2)/I = 25 kN 1 m 50 mm/8.33e-6 m^4 = 150 MPa: elastic at rest up to there, and twice that under a
   // step.
   const auto yields_at = [](double yield) {
-    return [yield](Scene& s) {
-      s.materials["steel"].parameters = Plasticity{yield, 0};
-    };
+    return [yield](Scene& s) { s.materials["steel"].parameters = Plasticity{yield, 0}; };
   };
   EXPECT_EQ(refused("cantilever_tip", cantilever(), yields_at(151e6)), "");
   EXPECT_THAT(refused("cantilever_tip", cantilever(), yields_at(149e6)),

@@ -6,6 +6,7 @@
 #include <numbers>
 
 #include "fem_support.hpp"
+#include "model/scene/shapes/mesh.hpp"
 
 namespace femsph::test {
 namespace {

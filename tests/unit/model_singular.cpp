@@ -7,7 +7,9 @@
 #include <cmath>
 
 #include "model/scene/reader/reader.hpp"
-#include "model/scene/shapes/structured_shapes.hpp"
+#include "model/scene/shapes/box.hpp"
+#include "model/scene/shapes/mesh.hpp"
+#include "model/scene/shapes/round.hpp"
 #include "model/scene/singular.hpp"
 
 namespace femsph {

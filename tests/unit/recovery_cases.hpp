@@ -13,6 +13,8 @@
 #include "model/numerics/vectors.hpp"
 #include "model/results/recovery.hpp"
 #include "model/scene/scene.hpp"
+#include "model/scene/shapes/box.hpp"
+#include "model/scene/shapes/mesh.hpp"
 
 namespace femsph::test {
 

@@ -8,7 +8,7 @@
 #include <cmath>
 
 #include "model/input/faults.hpp"
-#include "model/scene/shapes/structured_shapes.hpp"
+#include "model/scene/shapes/round.hpp"
 #include "sph_support.hpp"
 
 namespace femsph::test {

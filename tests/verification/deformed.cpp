@@ -9,6 +9,7 @@
 #include "compare/run/run.hpp"
 #include "model/numerics/archive.hpp"
 #include "model/numerics/array.hpp"
+#include "model/scene/shapes/box.hpp"
 
 namespace femsph::compare {
 namespace {
