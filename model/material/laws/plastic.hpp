@@ -1,8 +1,9 @@
 #pragma once
 // Metal-like plasticity, and what the paper makes of it for concrete.
 //
-//   yield      f = q - Y,  q = sqrt(3/2 s:s) (von Mises),  Y = yield + hardening p   (linear isotropic
-//   hardening; eq. 8 of the paper) flow       d eps^p = dp 3 s / (2 q),  p the equivalent plastic strain
+//   yield      f = q - Y,  q = sqrt(3/2 s:s) (von Mises),  Y = yield + hardening p
+//              (linear isotropic hardening; eq. 8 of the paper)
+//   flow       d eps^p = dp 3 s / (2 q),  p the equivalent plastic strain
 //
 // A tension rule and the way the stress is integrated are parameters of the one law, so that it is compiled
 // once for all of them. The elastic step, the question whether any of eight points yields, and the return
@@ -19,11 +20,14 @@
 namespace femsph {
 
 enum class TensionRule {
-  none,       ///< the same yield stress in tension and compression
-  sign,       ///< the yield stress is `tensile_strength` where the trial mean stress is tension (the paper's
-              ///< concrete: 30 and 3 MPa)
-  principal,  ///< no principal stress above `tensile_strength` (Rankine): a spectral cut-off after the von
-              ///< Mises step
+  /// The same yield stress in tension and compression.
+  none,
+  /// The yield stress is `tensile_strength` where the trial mean stress is tension (the paper's concrete: 30
+  /// and
+  /// 3 MPa).
+  sign,
+  /// No principal stress above `tensile_strength` (Rankine): a spectral cut-off after the von Mises step.
+  principal,
 };
 
 /// How stress follows strain beyond yield. The paper shows results "without return mapping" and does not say

@@ -14,8 +14,9 @@ class OwnBall final : public StructuredShape {
     double radius = 0;  ///< m
     int axis = 2;
     Part part = Part::whole;
-    double finer = 1;  ///< how many times smaller cells are at the pole than in an even mesh; at the other
-                       ///< pole they are as many times larger
+    /// How many times smaller cells are at the pole than in an even mesh; at the other pole they are as many
+    /// times larger.
+    double finer = 1;
   };
   explicit OwnBall(const Size& size) : size_(size) {}
 

@@ -23,14 +23,14 @@ struct CellMesh {
     int group;                    ///< index into groups, -1: unnamed
   };
   std::vector<Facet> facets;  ///< boundary facets that the file names
-  std::vector<std::string>
-      groups;  ///< of facets: their physical names, or their numbers where a name could mean two things
-  std::vector<std::size_t> cell_numbers,
-      vertex_numbers;  ///< those of the file, for messages; empty: there is no file
-  std::vector<std::pair<std::string, int>>
-      group_words;  ///< what a place may call a group: a name or a number, an index into groups
-  std::vector<std::pair<std::string, std::string>>
-      vain_words;  ///< names and numbers of the file that no place can use, and why
+  /// Of facets: their physical names, or their numbers where a name could mean two things.
+  std::vector<std::string> groups;
+  /// Those of the file, for messages; empty: there is no file.
+  std::vector<std::size_t> cell_numbers, vertex_numbers;
+  /// What a place may call a group: a name or a number, and an index into groups.
+  std::vector<std::pair<std::string, int>> group_words;
+  /// Names and numbers of the file that no place can use, and why.
+  std::vector<std::pair<std::string, std::string>> vain_words;
 };
 
 /// A small piece of a shape's boundary.
