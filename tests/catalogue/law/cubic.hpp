@@ -12,12 +12,15 @@ struct Cubic {
   };
   static constexpr const char* name = "cubic";
   static Entry entry() {
-    return {"cubic", "elastic, stiffening with the cube of the strain", {{"cubic_modulus", "a pressure", "k", true}}};
+    return {"cubic",
+            "elastic, stiffening with the cube of the strain",
+            {{"cubic_modulus", "a pressure", "k", true}}};
   }
   static Parameters read(auto& fields, const LawInput& in) {
     const auto k = fields.quantity("cubic_modulus", Need::required, dimension::pressure, Sign::not_negative);
     if (in.plane == Plane::stress)
-      fields.fault("law", "\"law\" is \"cubic\" in plane stress; expected plane = \"strain\" or \"none\" in [model]");
+      fields.fault(
+          "law", "\"law\" is \"cubic\" in plane stress; expected plane = \"strain\" or \"none\" in [model]");
     return {k.value_or(0)};
   }
   static Cubic of(const Parameters& p, const ElasticConstants& m, Plane plane) {

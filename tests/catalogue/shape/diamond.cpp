@@ -21,6 +21,7 @@ class Diamond final : public Shape {
   }
   double measure() const override { return 2 * reach_ * reach_; }
   Point centroid() const override { return centre_; }
+  bool touches_sides_in_points() const override { return true; }
   std::string describe() const override { return fmt::format("diamond of reach {:g} mm", 1e3 * reach_); }
 
  private:
@@ -31,7 +32,8 @@ class Diamond final : public Shape {
 ShapePointer read_diamond(Fields& body, int dim, const std::filesystem::path&) {
   const auto centre = body.vector("centre", Need::required, dimension::length, dim);
   const auto reach = body.quantity("reach", Need::required, dimension::length, Sign::positive);
-  if (dim == 3) return body.fault("shape", "a diamond in a three-dimensional scene; expected a plane one"), nullptr;
+  if (dim == 3)
+    return body.fault("shape", "a diamond in a three-dimensional scene; expected a plane one"), nullptr;
   return centre && reach && dim ? std::make_shared<Diamond>(*centre, *reach) : nullptr;
 }
 
@@ -40,7 +42,8 @@ ShapePointer read_diamond(Fields& body, int dim, const std::filesystem::path&) {
 ShapeEntry diamond_entry() {
   return {{"diamond",
            "a square on its corner, in a plane",
-           {{"centre", "a list of lengths", "", true}, {"reach", "a length", "from the centre to a corner", true}}},
+           {{"centre", "a list of lengths", "", true},
+            {"reach", "a length", "from the centre to a corner", true}}},
           read_diamond};
 }
 
