@@ -9,7 +9,6 @@
 #include "fem/mesh/geometry.hpp"
 #include "model/numerics/least_squares.hpp"
 #include "model/numerics/parallel.hpp"
-#include "model/scene/shapes/structured_shapes.hpp"
 
 namespace femsph::fem {
 
@@ -55,11 +54,6 @@ Layout interleaved(const Mesh& mesh, const Batches& batches) {
   return {mesh.node_count(), mesh.dim, dim, 1, 0, round_up(batches.slots * dim, lanes)};
 }
 
-bool is_curved(const Shape& shape) {
-  return dynamic_cast<const Round*>(&shape) || dynamic_cast<const Ball*>(&shape) ||
-         dynamic_cast<const OwnBall*>(&shape);
-}
-
 }  // namespace
 
 std::unique_ptr<CellLoop> make_loop(Element element, const LoopInput& in) {
@@ -86,7 +80,7 @@ ExplicitFem::ExplicitFem(const Scene& scene, std::size_t body, const Options& op
       batches_(mesh_),
       layout_(interleaved(mesh_, batches_)),
       spacing_(shortest_edge(mesh_)),
-      locator_(mesh_, is_curved(*shape_) ? 0.2 : 0.0),
+      locator_(mesh_, shape_->is_round() ? 0.2 : 0.0),
       law_(scene.material_of(scene.bodies[body]).law(scene.plane)) {
   const Material& material = scene.material_of(scene.bodies[body]);
   mass_ = lumped_mass(mesh_, material.density, thickness_);
@@ -96,7 +90,7 @@ ExplicitFem::ExplicitFem(const Scene& scene, std::size_t body, const Options& op
   bars_ = TrussBars(rows, nodes, mesh_.dim, scene.large_motion);
   bars_.add_mass(mass_);
   bars_text_ = femsph::describe(rows, scene);
-  plasticity_ = material.plasticity;
+  yields_ = material.yields();
   wave_speed_ = std::visit([](const auto& l) { return l.wave_speed(); }, law_);
   const auto make = options.loop ? options.loop : make_loop;
   loop_ = make(element_, {&mesh_, &batches_, law_, thickness_, options.hourglass, scene.large_motion});
@@ -116,10 +110,10 @@ std::string ExplicitFem::describe() const {
 std::vector<std::string> ExplicitFem::warnings() const {
   const double poisson = std::visit([](const auto& l) { return l.elastic().poisson; }, law_);
   if (plane_ == Plane::stress || (element_ != Element::full && element_ != Element::sri) ||
-      (poisson <= 0.45 && !plasticity_))
+      (poisson <= 0.45 && !yields_))
     return {};
-  std::string why = plasticity_ ? "plastic flow keeps the volume" : "";
-  if (poisson > 0.45) why = "Poisson's ratio is " + in_short(poisson) + (plasticity_ ? ", and " + why : "");
+  std::string why = yields_ ? "plastic flow keeps the volume" : "";
+  if (poisson > 0.45) why = "Poisson's ratio is " + in_short(poisson) + (yields_ ? ", and " + why : "");
   return {why + ": " + name_of(element_) +
           " locks in volume, and displacements may come out far too small; fem-assumed-strain and "
           "fem-one-point do not"};
@@ -240,9 +234,8 @@ void ExplicitFem::material_state(const double* u, std::span<const std::size_t> p
   const std::size_t n = static_cast<std::size_t>(loop_->points_per_cell());
   out.stress.resize(points.size());
   out.strain.resize(points.size());
-  const bool plastic = plasticity_.has_value();
-  out.plastic.resize(plastic ? points.size() : 0);
-  out.resize_flow(plasticity_ ? &*plasticity_ : nullptr, points.size());
+  out.plastic.resize(yields_ ? points.size() : 0);
+  out.resize_flow(std::visit([](const auto& l) { return plasticity_of(l); }, law_), points.size());
   parallel_for(points.size(), n * lanes, [&](std::size_t begin, std::size_t end) {
     std::array<Sample, 8> cell;
     std::size_t known = std::numeric_limits<std::size_t>::max();
@@ -254,7 +247,7 @@ void ExplicitFem::material_state(const double* u, std::span<const std::size_t> p
       const Sample& sample = cell[points[k] % n];
       out.stress[k] = sample.stress;
       out.strain[k] = sample.strain;
-      if (!plastic) continue;
+      if (!yields_) continue;
       out.plastic[k] = sample.plastic;
       out.set_flow(k, sample.flow);
     }

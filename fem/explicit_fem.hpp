@@ -72,7 +72,7 @@ class ExplicitFem : public Discretization {
   std::size_t cell_of(std::size_t lane) const;
   Point centre_now(std::size_t cell, const double* u) const;  ///< m, in the deformed body
   Law law_;
-  std::optional<Plasticity> plasticity_;
+  bool yields_ = false;
   std::unique_ptr<CellLoop> loop_;
   TrussBars bars_;
   std::string bars_text_;

@@ -97,7 +97,7 @@ double moment(const Curve& curve, const Section& section, const Scene& scene) {
       section.from[2] != section.to[2])
     throw std::runtime_error(
         fmt::format("a moment is of a section of stress along y, and {} is none", in_quotes(section.name)));
-  if (scene.dim() == 3 && !dynamic_cast<const Box*>(body.shape.get()))
+  if (scene.dim() == 3 && !body.shape->is_box())
     throw std::runtime_error(fmt::format(
         "a moment in space is of a box, whose width is known, and body {} is none", in_quotes(body.name)));
   const double middle = 0.5 * (curve.at.front() + curve.at.back());
@@ -144,18 +144,18 @@ double excess(const QuantitySpec& quantity, const RunResult& result, const Scene
   if (place.quantity != Quantity::equivalent_stress || along.quantity != Quantity::plastic_strain)
     throw std::runtime_error("excess is of an equivalent stress, along a plastic strain");
   const Material& m = scene.material_of(scene.bodies[place.body]);
-  if (!m.plasticity) throw std::runtime_error("an elastic material has no yield curve");
-  if (m.plasticity->johnson_cook)
+  if (!m.plasticity()) throw std::runtime_error("an elastic material has no yield curve");
+  if (m.plasticity()->johnson_cook)
     throw std::runtime_error("the yield curve of Johnson-Cook depends on rate and heat");
   Observed stress = quantity.observed;
   stress.unit.factor = 1;
   const Curve q = finite(within(curve_of(stress, result), quantity.window), "stress"),
               p = finite(within(curve_of(quantity.along, result), quantity.window), "plastic strain");
-  double most = -m.plasticity->yield;
+  double most = -m.plasticity()->yield;
   for (std::size_t i = 0; i < q.value.size(); ++i)
-    most = std::max(most, q.value[i] - (m.plasticity->yield + m.plasticity->hardening * p.value.at(i) *
-                                                                  quantity.along.unit.factor));
-  return most / m.plasticity->yield;
+    most = std::max(most, q.value[i] - (m.plasticity()->yield + m.plasticity()->hardening * p.value.at(i) *
+                                                                    quantity.along.unit.factor));
+  return most / m.plasticity()->yield;
 }
 
 double reduce_history(const Curve& curve, Reduce reduce) {

@@ -43,9 +43,10 @@ int point_command(const PointCommand& command) {
                         {{"stress", Plane::stress}, {"strain", Plane::strain}, {"none", Plane::none}});
   if (!command.integration.empty()) {
     const Integration integration = word("--integration", command.integration, integrations());
-    if (!material.plasticity)
+    auto* plasticity = std::get_if<Plasticity>(&material.parameters);
+    if (!plasticity)
       throw BadCommand(fmt::format("--integration: the material {} is elastic", in_quotes(material.name)));
-    material.plasticity->integration = integration;
+    plasticity->integration = integration;
   }
   const auto path = read_path(
       read_text_file(command.path, "a path of strains", Length::any), command.path, plane);

@@ -15,7 +15,9 @@
 #include "compare/report/readme.hpp"
 #include "compare/study/series.hpp"
 #include "model/input/toml_fields.hpp"
+#include "model/material/material.hpp"
 #include "model/numerics/parallel.hpp"
+#include "model/scene/shapes/shapes.hpp"
 
 namespace femsph::compare {
 namespace {
@@ -235,6 +237,11 @@ int list_command(const std::string& program) {
       print(fmt::format("  {:<12} (its study.toml has faults: femsph study {} tells)", name, name));
     }
   }
+  print("\nlaws of materials:");
+  for (const LawEntry& law : laws()) print(fmt::format("  {:<22} {}", law.entry.word, law.entry.about));
+  print("\nshapes of bodies:");
+  for (const ShapeEntry& shape : shapes())
+    print(fmt::format("  {:<22} {}", shape.entry.word, shape.entry.about));
   print("\nmethods:");
   for (const Method& method : methods()) print(fmt::format("  {:<22} {}", method.name, method.about));
   print("\ntheory values:");

@@ -8,6 +8,8 @@
 #include <numbers>
 #include <stdexcept>
 
+#include "model/scene/shapes/box.hpp"
+
 namespace femsph::compare {
 namespace {
 
@@ -27,7 +29,7 @@ bool on_plane(const Place& place, double x, double length) {
 }
 
 /// Where the resultant of a force on a place acts: the place's middle.
-Point middle_of(const Place& place, const Box& shape) {
+Point middle_of(const Place& place, const Shape& shape) {
   if (place.point) return *place.point;
   Point lower = shape.lower(), upper = shape.upper(), middle;
   for (const std::string& side : place.sides) {
@@ -62,14 +64,15 @@ void check_supports(const Scene& scene, const LoadedBox& box, const std::string&
 /// starts with a velocity.
 std::string unknown_to_theory(const Scene& scene, bool moving) {
   if (scene.bodies.size() != 1) return fmt::format("this scene has {} bodies", scene.bodies.size());
-  if (!dynamic_cast<const Box*>(scene.bodies[0].shape.get())) return "this body is no box";
+  if (!scene.bodies[0].shape->is_box()) return "this body is no box";
   if (scene.bodies[0].rigid) return "this body is rigid";
   if (scene.gravity) return "this scene has gravity";
   if (!moving && !scene.initial_velocities.empty()) return "this scene has an initial velocity";
   if (!scene.initial_displacements.empty()) return "this scene has an initial displacement";
   if (!scene.symmetries.empty()) return "this scene has a plane of symmetry";
   if (!scene.bars.empty()) return "this body has bars in it";
-  if (scene.material_of(scene.bodies[0]).neo_hookean) return "its material is neo-Hookean";
+  const Material& m = scene.material_of(scene.bodies[0]);
+  if (!m.is_linear_elastic() && !m.plasticity()) return "its material is " + m.entry().name;
   return "";
 }
 
@@ -85,7 +88,7 @@ void add_moment(const Point& arm, const Point& force, Point& moment) {
 LoadedBox box_of(const Scene& scene, const std::string& theory) {
   if (const std::string why = unknown_to_theory(scene, false); !why.empty()) refuse(theory, why);
   const Body& body = scene.bodies[0];
-  const auto* shape = dynamic_cast<const Box*>(body.shape.get());
+  const Box* shape = body.shape->box();
   const Material& material = scene.material_of(body);
   const double nu = material.poisson;
   LoadedBox box{};
@@ -98,7 +101,7 @@ LoadedBox box_of(const Scene& scene, const std::string& theory) {
   box.density = material.density;
   box.step = true;
   box.damped = scene.damping.has_value() || scene.settling.has_value();
-  if (material.plasticity) box.yield = material.plasticity->yield;
+  if (material.plasticity()) box.yield = material.plasticity()->yield;
   box.duration = scene.duration;
   check_supports(scene, box, theory);
   if (scene.loads.empty()) refuse(theory, "nothing loads it");
@@ -197,8 +200,8 @@ Impact impact_of(const Scene& scene) {
   };
   if (const std::string why = unknown_to_theory(scene, true); !why.empty()) refuse_impact(why);
   const Material& m = scene.material_of(scene.bodies[0]);
-  if (!m.plasticity) refuse_impact("its material is elastic");
-  if (m.plasticity->johnson_cook) refuse_impact("its material hardens by Johnson-Cook, not linearly");
+  if (!m.plasticity()) refuse_impact("its material is elastic");
+  if (m.plasticity()->johnson_cook) refuse_impact("its material hardens by Johnson-Cook, not linearly");
   if (scene.plane == Plane::strain)
     refuse_impact("this scene is in plane strain, where no bar is free to widen");
   if (!scene.loads.empty()) refuse_impact("this scene has loads");
@@ -216,8 +219,8 @@ Impact impact_of(const Scene& scene) {
     held |= support.fixed[0] && !support.mean && !support.place.within && support.place.sides.size() == 1;
   }
   if (!held) refuse_impact("the face x- is not held along x");
-  const double H = m.plasticity->hardening;
-  return {-start.velocity[0], m.young, m.density, m.plasticity->yield, m.young * H / (m.young + H)};
+  const double H = m.plasticity()->hardening;
+  return {-start.velocity[0], m.young, m.density, m.plasticity()->yield, m.young * H / (m.young + H)};
 }
 
 double plastic_moment(const Scene& scene) {
@@ -228,12 +231,12 @@ double plastic_moment(const Scene& scene) {
   if (const std::string why = unknown_to_theory(scene, false); !why.empty()) refuse_moment(why);
   const Body& body = scene.bodies[0];
   const Material& m = scene.material_of(body);
-  if (!m.plasticity) refuse_moment("its material is elastic");
-  if (m.plasticity->johnson_cook) refuse_moment("its material hardens by Johnson-Cook");
-  if (m.plasticity->hardening != 0) refuse_moment("its material hardens");
+  if (!m.plasticity()) refuse_moment("its material is elastic");
+  if (m.plasticity()->johnson_cook) refuse_moment("its material hardens by Johnson-Cook");
+  if (m.plasticity()->hardening != 0) refuse_moment("its material hardens");
   if (scene.plane == Plane::strain) refuse_moment("this scene is in plane strain");
   const Point a = body.shape->lower(), b = body.shape->upper();
-  return m.plasticity->yield * (scene.dim() == 2 ? body.thickness : b[2] - a[2]) * (b[1] - a[1]) *
+  return m.plasticity()->yield * (scene.dim() == 2 ? body.thickness : b[2] - a[2]) * (b[1] - a[1]) *
          (b[1] - a[1]) / 4;
 }
 

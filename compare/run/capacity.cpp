@@ -21,7 +21,7 @@ constexpr double most_units =
 /// of line add is counted from the arrays, not measured.
 double bytes_of_unit(const Scene& scene, const Body& body, const Method& method) {
   const int dim = scene.dim(), symmetric = dim * (dim + 1) / 2;
-  const bool plastic = scene.material_of(body).plasticity.has_value();
+  const bool plastic = scene.material_of(body).yields();
   const double remembered = plastic ? 8.0 * (2 * symmetric + 3) : 0.0;  // of a material point
   if (method.is_fem()) {
     const bool one = std::get<fem::Options>(method.options).element == fem::Element::one_point;

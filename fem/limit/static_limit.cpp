@@ -28,7 +28,6 @@
 #include "fem/limit/limit.hpp"
 #include "fem/limit/triangulation.hpp"
 #include "model/numerics/principal.hpp"
-#include "model/scene/shapes/structured_shapes.hpp"
 
 namespace femsph::fem {
 
@@ -336,9 +335,7 @@ StaticLimit solve_static(const Scene& scene, const std::array<int, 3>& divisions
   if (scene.large_motion)
     throw std::runtime_error(
         "the static limit is of small motion, and this scene asks for motion = \"large\"");
-  const Shape* shape = scene.bodies[0].shape.get();
-  if (dynamic_cast<const Ball*>(shape) || dynamic_cast<const Round*>(shape) ||
-      dynamic_cast<const OwnBall*>(shape))
+  if (scene.bodies[0].shape->is_round())
     throw std::runtime_error("the static limit's cells have straight sides, and this body is round");
   if (degree < 1) throw std::runtime_error("the static limit wants a polynomial degree of at least 1");
   return scene.dim() == 2 ? StaticSolver<2>(scene, divisions, degree).solve()

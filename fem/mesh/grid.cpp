@@ -5,7 +5,6 @@
 
 #include "fem/mesh/gauss.hpp"
 #include "model/input/faults.hpp"
-#include "model/scene/shapes/structured_shapes.hpp"
 
 namespace femsph::fem {
 
@@ -81,17 +80,11 @@ void require_divisions(int dim, const std::array<int, 3>& divisions) {
 }
 
 std::optional<CellMesh> given_cells(const Shape& shape, const std::array<int, 3>& divisions) {
-  if (const CellMesh* cells = shape.cells())
-    return *cells;
-  else if (dynamic_cast<const Box*>(&shape))
-    return std::nullopt;
-  else if (const auto* structured = dynamic_cast<const StructuredShape*>(&shape))
-    return structured->mesh(divisions);
-  else if (const auto* disc = dynamic_cast<const Ball*>(&shape); disc && shape.dim() == 2)
-    return Round(2, {disc->centre(), 0, disc->radius()}).mesh(divisions);
-  else
-    throw Refusal("FEM has no mesh for a " + shape.describe() +
-                  "; give it as a body that comes with its own cells (shape = \"mesh\")");
+  if (const CellMesh* cells = shape.cells()) return *cells;
+  if (shape.is_box()) return std::nullopt;
+  if (std::optional<CellMesh> cut = shape.cut(divisions)) return cut;
+  throw Refusal("FEM has no mesh for a " + shape.describe() +
+                "; give it as a body that comes with its own cells (shape = \"mesh\")");
 }
 
 CellMesh make_grid(const Shape& shape, const std::array<int, 3>& divisions) {

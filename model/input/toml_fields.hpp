@@ -19,13 +19,11 @@
 #include <vector>
 
 #include "model/input/faults.hpp"
+#include "model/input/need.hpp"
 #include "model/input/units.hpp"
 #include "model/numerics/tensor.hpp"
 
 namespace femsph {
-
-enum class Need { required, optional };
-enum class Sign { any, not_negative, positive };
 
 class Fields {
  public:

@@ -3,12 +3,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
-#include <optional>
 #include <type_traits>
 
 #include "model/material/kinematics.hpp"
-#include "model/material/laws/plastic.hpp"
+#include "model/material/laws/law_input.hpp"
 
 namespace femsph {
 
@@ -25,9 +23,8 @@ struct BarState {
 struct BarLaw {
   double young, yield, hardening, density;  ///< Pa, Pa, Pa, kg/m^3
 
-  /// Of a material's plasticity a bar takes yield stress and hardening; tension rules are for concrete.
-  static BarLaw make(double young, double density, const std::optional<Plasticity>& p) {
-    return {young, p ? p->yield : std::numeric_limits<double>::infinity(), p ? p->hardening : 0.0, density};
+  static BarLaw make(double young, double density, const BarYield& law) {
+    return {young, law.yield, law.hardening, density};
   }
 
   /// Stress of the total strain; advances the state. The plastic work is counted by the trapezoid of stress,

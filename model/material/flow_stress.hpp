@@ -1,32 +1,18 @@
 #pragma once
-// How much stress a point of a plastic law can bear now: what a reading between points must not exceed.
-
-#include <limits>
+// What a discretization needs to know of a law to say how much stress its points can bear.
 
 #include "model/material/kinematics.hpp"
 #include "model/material/law.hpp"
 
 namespace femsph {
 
-/// Pa, of the Cauchy stress.
-struct FlowStress {
-  double yield = std::numeric_limits<double>::infinity();     ///< bound of von Mises' stress
-  double tensile = std::numeric_limits<double>::infinity();   ///< the same where the mean stress is tension;
-                                                              ///< other than `yield` by the sign rule only
-  double strength = std::numeric_limits<double>::infinity();  ///< bound of the principal stresses
-};
-
-/// `cauchy` is the point's own stress, and `share` that over the law's stress. Infinite without return
-/// mapping: there the stress passes the yield stress, and rightly by these hypotheses. By Johnson and Cook's
-/// rule what the last step's rate and heat make of it, and not below what the point bears: where the strain
-/// stands still, stress that a rate held up stays.
-FlowStress flow_stress(const Plastic& law, const double* history, double share,
-                       const std::array<double, 6>& cauchy);
-
-inline const Plasticity* plasticity_of(const Plastic& law) { return &law.parameters; }
+/// Null for laws without von Mises plasticity.
 template <class LawType>
-const Plasticity* plasticity_of(const LawType&) {
-  return nullptr;
+const Plasticity* plasticity_of(const LawType& law) {
+  if constexpr (requires { LawType::plasticity(law.parameters); })
+    return LawType::plasticity(law.parameters);
+  else
+    return nullptr;
 }
 
 /// Cauchy stress over the law's stress of a point. `across` is the stretch - 1 normal to the plane.

@@ -298,6 +298,12 @@ concept LargeMotionOnly = requires {
   LawType::large_motion_only;
 };
 
+/// Laws that carry their stress by increments of strain; the others know it from the whole strain alone.
+template <class LawType>
+concept Incremental = requires(const LawType& law, Symmetric<double, 2>& s, double* history) {
+  law.update(s, s, history);
+};
+
 /// Doubles of state that a material point of this law keeps between steps: nothing if the stress follows from
 /// the strain, else stress, strain and the law's own history.
 template <class LawType, int dim>

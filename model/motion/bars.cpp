@@ -77,7 +77,7 @@ std::vector<BarRow> bar_rows(const Scene& scene, std::size_t body, std::span<con
     const Bar& bar = scene.bars[b];
     if (bar.body != body) continue;
     const Material& material = scene.materials.at(bar.material);
-    const BarLaw law = BarLaw::make(material.young, material.density, material.plasticity);
+    const BarLaw law = BarLaw::make(material.young, material.density, material.bar());
     const int dim = scene.dim(), a = bar.axis(), across = dim == 3 ? (a + 1) % 3 : 1 - a;
     for (const Share& one : shares_across(bar, across, points, tolerance)) {
       const std::vector<Share> others = dim == 3 ? shares_across(bar, (a + 2) % 3, points, tolerance)

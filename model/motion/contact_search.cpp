@@ -156,7 +156,7 @@ void ContactPair::refuse_overlap(Bodies bodies) const {
   if (!found) return;
   const auto is_round = [&](std::size_t body) {
     const Shape& shape = *scene_.bodies[body].shape;
-    return !shape.cells() && !dynamic_cast<const Box*>(&shape);
+    return !shape.cells() && !shape.is_box();
   };
   std::string what = found->depth > 0
                          ? fmt::format("the bodies overlap by {:.4g} mm at the start", 1e3 * found->depth)

@@ -61,7 +61,7 @@ struct MaterialState {
     tensile_strength.resize(p && p->tension == TensionRule::principal ? points : 0);
   }
   void set_flow(std::size_t k, const FlowStress& flow) {
-    flow_stress[k] = flow.yield;
+    if (!flow_stress.empty()) flow_stress[k] = flow.yield;
     if (!tensile_flow_stress.empty()) tensile_flow_stress[k] = flow.tensile;
     if (!tensile_strength.empty()) tensile_strength[k] = flow.strength;
   }

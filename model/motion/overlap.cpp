@@ -97,7 +97,7 @@ std::vector<Point> cut(const std::vector<Point>& polygon, int axis, double limit
 }
 
 /// A facet that reaches into an axis-parallel box.
-std::optional<Overlap> reach_into(const Surface& s, const Box& box, double tolerance) {
+std::optional<Overlap> reach_into(const Surface& s, const Shape& box, double tolerance) {
   const Point lower = box.lower(), upper = box.upper();
   for (const Facet& f : s.facets) {
     const Bounds own = bounds_of(s, f);
@@ -217,13 +217,11 @@ std::optional<Overlap> overlap_of(const Surface& a, const Surface& b, double tol
 }
 
 std::optional<Overlap> overlap_of(const Surface& a, const Shape& rigid, double tolerance) {
-  if (const auto* box = dynamic_cast<const Box*>(&rigid)) {
-    if (const auto found = reach_into(a, *box, tolerance)) return found;
+  if (rigid.is_box()) {
+    if (const auto found = reach_into(a, rigid, tolerance)) return found;
   } else {
-    const auto* ball = dynamic_cast<const Ball*>(&rigid);
     for (const Point& p : a.now)
-      if (rigid.contains(p, -tolerance))
-        return Overlap{p, ball ? ball->radius() - norm(p - ball->centre()) : 0.0};
+      if (rigid.contains(p, -tolerance)) return Overlap{p, rigid.rigid() ? rigid.rigid()->depth(p) : 0.0};
   }
   const Point centre = 0.5 * (rigid.lower() + rigid.upper());
   if (const double depth = Enclosure(a).depth(centre, tolerance); depth > 0) return Overlap{centre, depth};

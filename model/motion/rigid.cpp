@@ -16,12 +16,7 @@ RigidBody::RigidBody(const Scene& scene, std::size_t i)
       mass(scene.bodies[i].mass) {
   const Point lower = shape->lower(), upper = shape->upper();
   start = 0.5 * (lower + upper);
-  if (const auto* ball = dynamic_cast<const Ball*>(shape.get())) {
-    inertia.fill((dim == 2 ? 0.5 : 0.4) * mass * ball->radius() * ball->radius());
-  } else {
-    const Point s = upper - lower;
-    for (int a = 0; a < 3; ++a) inertia[a] = mass / 12 * (dot(s, s) - s[a] * s[a]);
-  }
+  inertia = form().inertia(mass);
   if (dim == 2) held[2] = held_turn[0] = held_turn[1] = true;
   for (const Support& support : scene.supports) {
     if (support.place.body != index) continue;
@@ -50,13 +45,7 @@ void RigidBody::push(const Point& x, const Point& f) {
 
 double RigidBody::reach() const { return 0.5 * norm(shape->upper() - shape->lower()); }
 
-double RigidBody::surface() const {
-  const double pi = std::acos(-1.0);
-  if (const auto* ball = dynamic_cast<const Ball*>(shape.get()))
-    return dim == 2 ? 2 * pi * ball->radius() : 4 * pi * ball->radius() * ball->radius();
-  const Point s = shape->upper() - shape->lower();
-  return dim == 2 ? 2 * (s[0] + s[1]) : 2 * (s[0] * s[1] + s[1] * s[2] + s[2] * s[0]);
-}
+double RigidBody::surface() const { return form().surface(); }
 
 double RigidBody::least_mass() const {
   double inverse = held[0] && held[1] && held[2] ? 0.0 : 1 / mass;
@@ -67,26 +56,20 @@ double RigidBody::least_mass() const {
   return inverse > 0 ? 1 / inverse : std::numeric_limits<double>::infinity();
 }
 
-int RigidBody::sides() const { return dynamic_cast<const Ball*>(shape.get()) ? 1 : 2 * dim; }
+int RigidBody::sides() const { return form().side_count(); }
 
 Stand RigidBody::stand(int side, const Point& x) const {
+  const SideStand on = form().stand(side, x - centre(), axes);
   Stand s;
-  const Point from = x - centre();
-  if (const auto* ball = dynamic_cast<const Ball*>(shape.get())) {
-    const double r = norm(from);
-    s.normal = r > 0 ? (1 / r) * from : Point{0, 1, 0};
-    s.gap = r - ball->radius();
-  } else {
-    const Point half = 0.5 * (shape->upper() - shape->lower());
-    const int a = side / 2;
-    const double sign = side % 2 ? 1 : -1;
-    s.normal = sign * axes[a];
-    s.gap = dot(s.normal, from) - half[a];
-    for (int b = 0; b < dim; ++b)
-      if (b != a) s.beyond = std::max(s.beyond, std::abs(dot(axes[b], from)) - half[b]);
-  }
+  s.normal = on.normal, s.gap = on.gap, s.beyond = on.beyond;
   s.foot = x - s.gap * s.normal;
   return s;
+}
+
+/// The reader of scenes lets no other shape be rigid; a scene made by hand may try.
+const RigidForm& RigidBody::form() const {
+  if (const RigidForm* form = shape->rigid()) return *form;
+  throw Refusal("a rigid body cannot be a " + shape->describe());
 }
 
 void RigidBody::load(const Scene& scene, double t) {

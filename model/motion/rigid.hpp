@@ -8,6 +8,7 @@
 
 #include "model/numerics/archive.hpp"
 #include "model/scene/scene.hpp"
+#include "model/scene/shapes/rigid_form.hpp"
 
 namespace femsph {
 
@@ -45,7 +46,7 @@ struct RigidBody {
   double surface() const;                     ///< area (perimeter in 2D), m^(dim-1)
   /// Mass that the body opposes at least to a push anywhere on it: 1/M + r^2/I, kg; infinite if it is fixed.
   double least_mass() const;
-  /// Sides of a box, or one of a ball.
+  /// Of the shape: those of a box, or one of a ball.
   int sides() const;
   Stand stand(int side, const Point& x) const;
 
@@ -65,6 +66,9 @@ struct RigidBody {
   double energy_of_kick(double keep, double push) const;
   /// m v-.v + omega-.L with v = before v- + after v+, and L likewise: twice a kinetic energy.
   double product(double keep, double push, double before, double after) const;
+
+ private:
+  const RigidForm& form() const;
 };
 
 }  // namespace femsph

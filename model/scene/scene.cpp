@@ -6,22 +6,6 @@
 
 namespace femsph {
 
-Law Material::law(Plane plane) const {
-  const LinearElastic elastic = LinearElastic::make(young, poisson, density, plane);
-  if (plasticity) return Plastic{elastic, *plasticity};
-  if (neo_hookean) return NeoHookean::make(young, poisson, density, plane);
-  return elastic;
-}
-
-const std::vector<std::pair<std::string, Integration>>& integrations() {
-  static const std::vector<std::pair<std::string, Integration>> words = {
-      {"return", Integration::return_mapping},
-      {"no-return-1", Integration::tangent},
-      {"no-return-3", Integration::largest_stress},
-      {"no-return-8", Integration::modulus_mistaken}};
-  return words;
-}
-
 double TimeHistory::at(double t) const {
   const auto next = std::upper_bound(time.begin(), time.end(), t) - time.begin();
   if (next == 0) return factor.front();
@@ -86,40 +70,29 @@ LinearElastic elastic_of(const Scene& scene, std::size_t body, const std::string
   const Material& material = scene.material_of(scene.bodies.at(body));
   const Law law = material.law(scene.plane);
   if (const auto* elastic = std::get_if<LinearElastic>(&law)) return *elastic;
-  throw Refusal(what + " is linear elastic; the material \"" + material.name + "\" is " +
-                (material.neo_hookean ? "neo-Hookean" : "plastic"));
+  throw Refusal(
+      what + " is linear elastic; the material \"" + material.name + "\" is " + material.entry().name);
 }
 
 bool Scene::is_plastic() const {
-  return std::any_of(
-             bodies.begin(), bodies.end(),
-             [&](const Body& body) { return !body.rigid && material_of(body).plasticity.has_value(); }) ||
-         std::any_of(bars.begin(), bars.end(),
-                     [&](const Bar& bar) { return materials.at(bar.material).plasticity.has_value(); });
+  const auto yields = [&](const std::string& material) { return materials.at(material).yields(); };
+  return std::any_of(bodies.begin(), bodies.end(),
+                     [&](const Body& body) { return !body.rigid && yields(body.material); }) ||
+         std::any_of(bars.begin(), bars.end(), [&](const Bar& bar) { return yields(bar.material); });
 }
 
 namespace {
 
-/// Plasticity, and whatever of it is not the plain law; each once, whichever body asks for it.
-void add_plastic_effects(const Scene& scene, std::vector<std::string>& on) {
-  const auto add = [&](const char* name) {
-    if (std::find(on.begin(), on.end(), name) == on.end()) on.emplace_back(name);
+/// Each once, whichever body asks for it. Of a bar's law the yield stress alone counts.
+void add_effects_of_laws(const Scene& scene, std::vector<std::string>& on) {
+  const auto add = [&](const std::string& name) {
+    if (std::find(on.begin(), on.end(), name) == on.end()) on.push_back(name);
   };
-  for (const Body& body : scene.bodies) {
-    if (body.rigid) continue;
-    if (scene.material_of(body).neo_hookean) add("neo-Hookean law");
-    const auto& p = scene.material_of(body).plasticity;
-    if (!p) continue;
-    add("plasticity");
-    if (p->johnson_cook) add("Johnson-Cook yield stress");
-    if (p->tension == TensionRule::sign) add("tension rule sign");
-    if (p->tension == TensionRule::principal) add("tension rule principal");
-    if (p->integration == Integration::tangent) add("no return mapping (hypothesis 1)");
-    if (p->integration == Integration::largest_stress) add("no return mapping (hypothesis 3)");
-    if (p->integration == Integration::modulus_mistaken) add("no return mapping (hypothesis 8)");
-  }
+  for (const Body& body : scene.bodies)
+    if (!body.rigid)
+      for (const std::string& effect : scene.material_of(body).effects()) add(effect);
   for (const Bar& bar : scene.bars)
-    if (scene.materials.at(bar.material).plasticity) add("plasticity");
+    if (scene.materials.at(bar.material).yields()) add("plasticity");
 }
 
 }  // namespace
@@ -130,7 +103,7 @@ std::vector<std::string> Scene::effects() const {
     if (asked) on.emplace_back(name);
   };
   add(large_motion, "finite rotation");
-  add_plastic_effects(*this, on);
+  add_effects_of_laws(*this, on);
   add(!supports.empty(), "supports");
   add(std::any_of(supports.begin(), supports.end(),
                   [](const Support& support) { return support.velocity != Point{}; }),

@@ -12,23 +12,12 @@
 #include <vector>
 
 #include "model/input/faults.hpp"
-#include "model/material/law.hpp"
+#include "model/material/material.hpp"
 #include "model/scene/shapes/shape.hpp"
 
 namespace femsph {
 
 using Matrix = std::array<Point, 3>;  ///< rows
-
-struct Material {
-  std::string name;
-  double young, poisson, density;             ///< Pa, 1, kg/m^3
-  std::optional<Plasticity> plasticity = {};  ///< none: elastic
-  bool neo_hookean = false;                   ///< elastic, at large strain
-  Law law(Plane plane) const;                 ///< the law of this material in that plane
-};
-
-/// The words for stress integration: "return", "no-return-1", ..
-const std::vector<std::pair<std::string, Integration>>& integrations();
 
 struct Body {
   std::string name;
@@ -50,8 +39,8 @@ struct Region {
 /// with neither, the whole body.
 struct Place {
   std::size_t body = 0;  ///< index into Scene::bodies
-  std::vector<std::string>
-      sides;  ///< names known to the body's shape: "x-", "x+", .. or a physical group of a mesh
+  /// Names known to the body's shape: "x-", "x+", .. or a physical group of a mesh.
+  std::vector<std::string> sides;
   std::optional<Point> point;  ///< m
   Source source;
   std::optional<Region> within{};  ///< of these, only the points in here
@@ -184,8 +173,8 @@ enum class SettlingMethod { damping, kinetic };
 ///   kinetic energy.
 struct Settling {
   SettlingMethod method = SettlingMethod::damping;
-  double tolerance =
-      1e-4;  ///< settled when the amplitude of what still moves is below this share of the displacement
+  /// Settled when the amplitude of what still moves is below this share of the displacement.
+  double tolerance = 1e-4;
   std::optional<double> rate;  ///< c, 1/s: damping force = c m v
 };
 
@@ -211,11 +200,11 @@ struct Scene {
   double duration = 0;  ///< s; with settling: at most this long
   int samples = 400;    ///< rows of the histories over the duration
   int snapshots = 20;   ///< fields written over the duration
-  bool recovered_fields =
-      false;  ///< fields hold stress and strain by the one rule at nodes and particles too
+  /// Fields hold stress and strain by the one rule at nodes and particles too.
+  bool recovered_fields = false;
   std::optional<Settling> settling;
-  std::vector<std::string>
-      warnings;  ///< what the reader wants said: each "file:line:column: text", or a sentence
+  /// What the reader wants said: each "file:line:column: text", or a sentence.
+  std::vector<std::string> warnings;
 
   int dim() const { return plane == Plane::none ? 3 : 2; }
   const Material& material_of(const Body& body) const { return materials.at(body.material); }

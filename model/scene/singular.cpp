@@ -6,7 +6,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "model/scene/shapes/structured_shapes.hpp"
+#include "model/scene/shapes/structured.hpp"
 
 namespace femsph {
 namespace {
@@ -17,7 +17,7 @@ double tolerance_of(const Shape& shape) {
 }
 
 /// A box's place is a box: what is left of it on those sides and in that region.
-Region part_of(const Box& box, const Place& place) {
+Region part_of(const Shape& box, const Place& place) {
   Region part{box.lower(), box.upper()};
   for (const std::string& side : place.sides) {
     const int axis = side[0] - 'x';
@@ -56,17 +56,16 @@ int codimension(const Scene& scene, const Place& place) {
   const int dim = scene.dim();
   if (place.point) return dim;
   if (place.sides.empty()) return 0;
-  if (const auto* box = dynamic_cast<const Box*>(&shape)) {
-    const Region part = part_of(*box, place);
+  if (shape.is_box()) {
+    const Region part = part_of(shape, place);
     int lacking = 0;
     for (int c = 0; c < dim; ++c) lacking += part.upper[c] - part.lower[c] <= tolerance_of(shape);
     return lacking;
   }
-  if (dynamic_cast<const Ball*>(&shape)) return place.sides[0] == "outer" ? 1 : dim;
+  if (shape.touches_sides_in_points()) return dim;
   CellMesh cut;
   const CellMesh* mesh = shape.cells();
-  if (const auto* own = dynamic_cast<const StructuredShape*>(&shape); own && !mesh)
-    mesh = &(cut = own->mesh({4, 4, 4}));
+  if (const StructuredShape* own = shape.structured(); own && !mesh) mesh = &(cut = own->mesh({4, 4, 4}));
   if (!mesh) return int(place.sides.size());
   if (some_facet_on(shape, *mesh, place, dim == 2 ? 2 : 4)) return 1;
   return dim == 3 && some_facet_on(shape, *mesh, place, 2) ? 2 : dim;
@@ -78,8 +77,8 @@ bool at_place(const Scene& scene, const Place& place, const Point& p, double rea
   Region part;
   if (place.point) {
     part = {*place.point, *place.point};
-  } else if (const auto* box = dynamic_cast<const Box*>(&shape)) {
-    part = part_of(*box, place);
+  } else if (shape.is_box()) {
+    part = part_of(shape, place);
   } else {
     return std::all_of(place.sides.begin(), place.sides.end(),
                        [&](const std::string& side) { return shape.on_side(side, p, near); }) &&
@@ -222,7 +221,7 @@ bool is_free(const Scene& scene, std::size_t body, int axis, bool upper) {
 }
 
 /// The ends of a box's held side: of a patch of it (any hold), and where a clamp meets a free side.
-std::vector<Region> ends_of(const Scene& scene, const Support& support, const Box& box, bool clamps) {
+std::vector<Region> ends_of(const Scene& scene, const Support& support, const Shape& box, bool clamps) {
   std::vector<Region> ends;
   const Region part = part_of(box, support.place);
   const int normal = support.place.sides[0][0] - 'x';
@@ -245,14 +244,14 @@ std::vector<Region> ends_of(const Scene& scene, const Support& support, const Bo
 void add_clamps(const Scene& scene, double reach, std::vector<SingularPlace>& found) {
   for (const Support& support : scene.supports) {
     const std::size_t b = support.place.body;
-    const auto* box = dynamic_cast<const Box*>(scene.bodies[b].shape.get());
-    if (!box || scene.bodies[b].rigid || support.mean || codimension(scene, support.place) != 1 ||
+    const Shape& box = *scene.bodies[b].shape;
+    if (!box.is_box() || scene.bodies[b].rigid || support.mean || codimension(scene, support.place) != 1 ||
         support.place.sides.size() != 1)
       continue;
     const Material& m = scene.material_of(scene.bodies[b]);
-    const bool bounded = m.plasticity && m.plasticity->hardening == 0 && !m.plasticity->johnson_cook;
-    const double near = std::max(reach, tolerance_of(*box));
-    const auto ends = ends_of(scene, support, *box, m.poisson > 0);
+    const bool bounded = m.plasticity() && m.plasticity()->perfect();
+    const double near = std::max(reach, tolerance_of(box));
+    const auto ends = ends_of(scene, support, box, m.poisson > 0);
     const auto names = observers(scene, b, [&](Quantity quantity, const Point& p) {
       const bool limited = bounded && quantity != Quantity::strain && quantity != Quantity::plastic_strain;
       return !moves(quantity) && !limited &&
@@ -331,17 +330,17 @@ double clamped_corner_exponent(double poisson, Plane plane) {
 
 double sinks_per_halving(const Scene& scene, const Place& place) {
   const Body& body = scene.bodies[place.body];
-  const auto* box = dynamic_cast<const Box*>(body.shape.get());
-  if (!box || scene.dim() != 2 || body.rigid) return 0;
+  const Shape& box = *body.shape;
+  if (!box.is_box() || scene.dim() != 2 || body.rigid) return 0;
   const Material& m = scene.material_of(body);
-  if (m.plasticity || m.neo_hookean) return 0;
+  if (!m.is_linear_elastic()) return 0;
   const double stiffness = (scene.plane == Plane::strain ? m.young / (1 - m.poisson * m.poisson) : m.young) *
                            body.thickness;
-  const Region part = place.point ? Region{*place.point, *place.point} : part_of(*box, place);
+  const Region part = place.point ? Region{*place.point, *place.point} : part_of(box, place);
   int borders = 0;
   for (int c = 0; c < 2; ++c)
-    borders += part.upper[c] - box->lower()[c] <= tolerance_of(*box) ||
-               box->upper()[c] - part.lower[c] <= tolerance_of(*box);
+    borders += part.upper[c] - box.lower()[c] <= tolerance_of(box) ||
+               box.upper()[c] - part.lower[c] <= tolerance_of(box);
   constexpr double pi = std::numbers::pi;
   return borders == 0
              ? 0

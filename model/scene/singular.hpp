@@ -12,11 +12,16 @@ namespace femsph {
 /// One place and all that reads there.
 struct SingularPlace {
   enum class Kind {
-    force,  ///< on a point, or on a line in space: what is read there diverges
-    hold,   ///< a support on such a place that may bear a reaction: the body's displacements against it
-            ///< diverge, as does stress there
-    clamp,  ///< where a held side ends, or meets a free one: stress and strain diverge
-    notch,  ///< a re-entrant corner: the same
+    /// On a point, or on a line in space: what is read there diverges.
+    force,
+    /// A support on such a place that may bear a reaction: the body's displacements against it diverge, as
+    /// does
+    /// stress there.
+    hold,
+    /// Where a held side ends, or meets a free one: stress and strain diverge.
+    clamp,
+    /// A re-entrant corner: the same.
+    notch,
   } kind;
   std::size_t body;
   Source source;                       ///< of the load or support; line 0: none

@@ -17,8 +17,7 @@ std::unique_ptr<Discretization> discretize(const Scene& scene, std::size_t body,
     throw Refusal(
         "corrected SPH takes neither virtual particles, nor boundary weights, nor artificial viscosity: they "
         "belong to the classic formulation");
-  if (options.boundary == Boundary::virtual_particles &&
-      (!dynamic_cast<const Box*>(&shape) || options.jitter > 0))
+  if (options.boundary == Boundary::virtual_particles && (!shape.is_box() || options.jitter > 0))
     throw Refusal("virtual particles mirror a lattice in the straight sides of a box; this body is none");
   if (classic && scene.large_motion && options.boundary != Boundary::none)
     throw Refusal(

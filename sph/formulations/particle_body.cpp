@@ -10,7 +10,7 @@
 #include "model/numerics/array.hpp"
 #include "model/numerics/least_squares.hpp"
 #include "model/numerics/vectors.hpp"
-#include "model/scene/shapes/structured_shapes.hpp"
+#include "model/scene/shapes/structured.hpp"
 #include "sph/operators/side_areas.hpp"
 #include "sph/particles/partial_volumes.hpp"
 
@@ -86,7 +86,7 @@ std::array<Point, 4> corner_areas(const Particles& p, const Facet& f) {
 /// A flat side that a round shape does not cut itself: of its own cells, as fine as the particles, the free
 /// sides that lie there.
 std::vector<SidePiece> flat_side(const Shape& shape, const std::string& side, double size, double spacing) {
-  const auto* structured = dynamic_cast<const StructuredShape*>(&shape);
+  const StructuredShape* structured = shape.structured();
   if (!structured) return {};
   std::array<int, 3> divisions{1, 1, 1};
   for (std::size_t a = 0; a < std::size_t(shape.dim()); ++a)
@@ -124,7 +124,7 @@ void add_other_sides(const Shape& shape, double size, const Particles& p,
     if (!side.empty()) pieces.push_back(std::move(side));
   };
   const CellMesh* mesh = shape.cells();
-  const bool named_all = mesh || dynamic_cast<const Quadrilateral*>(&shape);
+  const bool named_all = shape.names_whole_boundary();
   for (const std::string& name : mesh ? mesh->groups : shape.sides()) {
     std::vector<SidePiece> side = shape.side_pieces(name, size);
     add(side.empty() && !named_all && name.size() == 2 ? flat_side(shape, name, size, spacing)
@@ -152,7 +152,7 @@ ParticleBody::ParticleBody(const Scene& scene, std::size_t body, const Options& 
   bars_.add_mass(mass_);
   bars_text_ = femsph::describe(rows, scene);
   const std::size_t padding = reach(particles_, kernel);
-  steps_ = particles_.cells.empty() && !dynamic_cast<const Box*>(shape_.get());
+  steps_ = particles_.cells.empty() && !shape_->is_box();
   layout_.points = particles_.size();
   layout_.dim = particles_.dim;
   layout_.point_stride = 1;

@@ -23,7 +23,7 @@ namespace femsph::sph {
 /// What a particle of this law carries.
 template <int dim, class LawType>
 using UpdatedPoint =
-    std::conditional_t<LargeMotionOnly<LawType>, StretchPoint<dim, LawType>, RatePoint<dim, LawType>>;
+    std::conditional_t<Incremental<LawType>, RatePoint<dim, LawType>, StretchPoint<dim, LawType>>;
 
 template <int dim, class LawType>
 class UpdatedLagrangian final : public ParticleBody {

@@ -11,7 +11,7 @@
 #include "model/motion/discretization.hpp"
 #include "model/numerics/vectors.hpp"
 #include "model/scene/shapes/multilinear.hpp"
-#include "model/scene/shapes/structured_shapes.hpp"
+#include "model/scene/shapes/structured.hpp"
 #include "sph/particles/partial_volumes.hpp"
 #include "sph/particles/particles.hpp"
 
@@ -108,10 +108,10 @@ CellMesh own_cut(const StructuredShape& shape, const Options& options) {
                                 options.spacing * 1e3, (upper[a] - lower[a]) * 1e3, "xyz"[a]));
     divisions[a] = int(cells);
   }
-  if (const auto* ball = dynamic_cast<const OwnBall*>(&shape); ball && ball->size().finer > 1)
+  if (const std::string key = shape.graded_by(); !key.empty())
     throw Refusal(fmt::format(
-        "SPH has one smoothing length, but the {} has cells of many sizes; leave \"finer\" out",
-        ball->describe()));
+        "SPH has one smoothing length, but the {} has cells of many sizes; leave \"{}\" out",
+        shape.describe(), key));
   return shape.mesh(divisions);
 }
 
@@ -119,7 +119,7 @@ CellMesh own_cut(const StructuredShape& shape, const Options& options) {
 
 bool is_fitted(const Shape& shape, const Options& options) {
   return options.fitted && options.boundary == Boundary::none && options.jitter == 0 &&
-         (shape.cells() || dynamic_cast<const StructuredShape*>(&shape));
+         (shape.cells() || shape.structured());
 }
 
 std::optional<Particles> fill_fitted(const Shape& shape, const Options& options,
@@ -129,7 +129,7 @@ std::optional<Particles> fill_fitted(const Shape& shape, const Options& options,
     throw std::runtime_error(fmt::format(
         "a spacing of {:g} mm asks for more than {:.1e} particles (about {:.0f} GB); take a coarser one",
         options.spacing * 1e3, places, places * 300e-9));
-  const auto* structured = dynamic_cast<const StructuredShape*>(&shape);
+  const StructuredShape* structured = shape.structured();
   std::optional<CellMesh> cut = structured ? own_cut(*structured, options)
                                            : cut_to_spacing(*shape.cells(), options.spacing, why);
   if (!cut) return std::nullopt;

@@ -27,8 +27,7 @@ class Hats {
   void look() {
     const CellMesh* mesh = shape_.cells();
     if (mesh) mark_sides(*mesh);
-    if (!dynamic_cast<const Box*>(&shape_))
-      each_cell([&](const std::array<int, 3>& c) { look_at(c, mesh != nullptr); });
+    if (!shape_.is_box()) each_cell([&](const std::array<int, 3>& c) { look_at(c, mesh != nullptr); });
   }
   bool any_cut() const { return std::find(state_.begin(), state_.end(), cut) != state_.end(); }
 

@@ -5,6 +5,8 @@
 #include <cmath>
 #include <cstring>
 
+#include "model/scene/shapes/box.hpp"
+
 namespace femsph::bench {
 
 namespace {
@@ -34,7 +36,7 @@ Scene scene_of(const Case& c, double& spacing, double pull) {
   s.large_motion = c.large_motion;
   s.materials["steel"] = Material{"steel", 2.1e11, 0.3, 7850};
   if (c.yield != Yield::elastic)
-    s.materials.at("steel").plasticity = Plasticity{c.yield == Yield::idle ? 300e9 : 300e6, 2.1e9};
+    s.materials.at("steel").parameters = Plasticity{c.yield == Yield::idle ? 300e9 : 300e6, 2.1e9};
   s.bodies.push_back({"beam", std::make_shared<Box>(c.dim, Point{}, Point{1, 0.1, c.dim == 3 ? 0.1 : 0.0}),
                       c.dim == 2 ? 0.1 : 1.0, "steel"});
   spacing = 0.1 / std::round(c.dim == 2 ? std::sqrt(c.units / 10) : std::cbrt(c.units / 10));

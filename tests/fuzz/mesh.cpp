@@ -2,13 +2,13 @@
 // where this fuzzer sees no coverage: what is tried here is that nothing it does reaches this side, and that
 // what comes back is sound.
 
+#include "model/scene/shapes/mesh.hpp"
+
 #include <unistd.h>
 
 #include <cstdlib>
 #include <fstream>
 #include <stdexcept>
-
-#include "model/scene/shapes/shape.hpp"
 
 extern "C" int LLVMFuzzerTestOneInput(const unsigned char* data, std::size_t size) {
   static const std::string file = "/dev/shm/femsph_fuzz_" + std::to_string(getpid()) + ".msh";

@@ -10,6 +10,7 @@
 #include "compare/price/advise.hpp"
 #include "compare/program/commands.hpp"
 #include "compare_support.hpp"
+#include "model/scene/shapes/mesh.hpp"
 
 namespace femsph::compare {
 namespace {

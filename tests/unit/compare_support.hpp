@@ -10,6 +10,7 @@
 #include <string>
 
 #include "compare/run/run.hpp"
+#include "model/scene/shapes/box.hpp"
 
 namespace femsph::compare::testing {
 

@@ -5,6 +5,7 @@
 #include "compare/reference/beam.hpp"
 #include "compare/reference/theory.hpp"
 #include "compare_support.hpp"
+#include "model/scene/shapes/box.hpp"
 
 namespace femsph::compare {
 namespace {

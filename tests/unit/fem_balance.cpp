@@ -21,8 +21,8 @@ class Balance : public testing::TestWithParam<std::tuple<Element, int>> {
     Scene scene = box_scene(
         solid ? Plane::none : Plane::strain, {1.2, 0.8, solid ? 0.9 : 0.0}, 2.0, 0.3, solid ? 1.0 : 0.7);
     scene.large_motion = large;
-    scene.materials.at("m").neo_hookean = law == Of::neo_hookean;
-    if (law == Of::plastic) scene.materials.at("m").plasticity = Plasticity{0.02, 0.05};
+    if (law == Of::neo_hookean) scene.materials.at("m").parameters = NeoHookean::Parameters{};
+    if (law == Of::plastic) scene.materials.at("m").parameters = Plasticity{0.02, 0.05};
     fem::Options options;
     options.element = std::get<0>(GetParam());
     options.divisions = {4, 3, 2};

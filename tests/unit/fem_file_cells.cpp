@@ -7,6 +7,7 @@
 
 #include "fem/mesh/mesh.hpp"
 #include "fem_support.hpp"
+#include "model/scene/shapes/mesh.hpp"
 #include "model/scene/shapes/mesh_check.hpp"
 
 namespace femsph::test {

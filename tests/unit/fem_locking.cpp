@@ -7,6 +7,7 @@
 #include <gtest/gtest.h>
 
 #include "fem_support.hpp"
+#include "model/scene/shapes/mesh.hpp"
 
 namespace femsph::test {
 namespace {

@@ -60,7 +60,7 @@ TEST_P(Dimension, OneYieldingCellAtATimeEqualsEight) {
   for (const Element element : all_elements)
     for (const bool large : {false, true}) {
       Scene scene = block(GetParam(), large);
-      scene.materials.at("m").plasticity = Plasticity{300e6, 2.1e9};
+      scene.materials.at("m").parameters = Plasticity{300e6, 2.1e9};
       fem::Options options;
       options.element = element;
       options.divisions = {5, 3, 3};

@@ -7,7 +7,8 @@
 
 #include "fem_support.hpp"
 #include "model/motion/march.hpp"
-#include "model/scene/shapes/structured_shapes.hpp"
+#include "model/scene/shapes/mesh.hpp"
+#include "model/scene/shapes/round.hpp"
 
 namespace femsph::test {
 namespace {

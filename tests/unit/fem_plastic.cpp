@@ -15,7 +15,7 @@ namespace {
 std::unique_ptr<Discretization> plastic_body(Plane plane, bool large, Element element, bool scalar = false) {
   Scene s = box_scene(plane, {0.08, 0.06, 0.05});
   s.large_motion = large;
-  s.materials.at("m").plasticity = Plasticity{300e6, 210e9 / 99};
+  s.materials.at("m").parameters = Plasticity{300e6, 210e9 / 99};
   fem::Options o;
   o.element = element;
   o.divisions = {3, 3, 3};

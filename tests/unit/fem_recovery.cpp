@@ -5,6 +5,7 @@
 #include <map>
 
 #include "fem/fem.hpp"
+#include "model/scene/shapes/box.hpp"
 #include "tests/unit/recovery_cases.hpp"
 
 namespace femsph::test {

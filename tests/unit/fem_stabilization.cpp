@@ -6,6 +6,7 @@
 #include <numbers>
 
 #include "fem_support.hpp"
+#include "model/scene/shapes/mesh.hpp"
 
 namespace femsph::test {
 namespace {
@@ -172,7 +173,7 @@ TEST(FemStabilization, ABentCellYieldsAsAPlasticSection) {
   const double a = 0.8, b = 0.5, Y = 1e-3, E = 2.0, first = Y / (E * b), moment = 2.0 / 3 * Y * b * b;
   for (const bool large : {false, true}) {
     Scene scene = scene_of(cell_of({{-a, -b, 0}, {a, -b, 0}, {-a, b, 0}, {a, b, 0}}), Plane::stress, E, 0.3);
-    scene.materials.at("m").plasticity = Plasticity{Y, 0};
+    scene.materials.at("m").parameters = Plasticity{Y, 0};
     scene.large_motion = large;
     const auto d = body_of(scene, Element::one_point);
     double before = 0, held = 0;
@@ -208,7 +209,7 @@ TEST(FemStabilization, FlowSoftensACellAndTheLossIsPlasticWork) {
   // of the corners' forces is what the cell holds and has lost, to the first order of the step.
   const double Y = 1e-3, E = 2.0, nu = 0.3;
   Scene scene = scene_of(cell_of({{-1, -1, 0}, {1, -1, 0}, {-1, 1, 0}, {1, 1, 0}}), Plane::stress, E, nu);
-  scene.materials.at("m").plasticity = Plasticity{Y, 0.1};
+  scene.materials.at("m").parameters = Plasticity{Y, 0.1};
   double gap[2];
   for (const int steps : {200, 400}) {
     const auto d = body_of(scene, Element::one_point);

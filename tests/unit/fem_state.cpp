@@ -7,6 +7,7 @@
 #include "fem/elements/cell_loop_impl.hpp"
 #include "fem/elements/one_point.hpp"
 #include "fem_support.hpp"
+#include "model/scene/shapes/box.hpp"
 
 namespace femsph::test {
 namespace {

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "fem/fem.hpp"
+#include "model/scene/shapes/box.hpp"
 
 namespace femsph::test {
 

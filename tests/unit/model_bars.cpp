@@ -41,7 +41,7 @@ TEST(BarLaw, ElasticWithoutYieldAndPerfectWithoutHardening) {
   EXPECT_DOUBLE_EQ(BarLaw::make(200e9, 7850, {}).advance(1.0, s), 200e9);
   Plasticity plastic;
   plastic.yield = 400e6;
-  EXPECT_NEAR(BarLaw::make(200e9, 7850, plastic).advance(0.02, p), 400e6, 1);
+  EXPECT_NEAR(BarLaw::make(200e9, 7850, Plastic::bar(plastic)).advance(0.02, p), 400e6, 1);
 }
 
 const char* const beam = R"(

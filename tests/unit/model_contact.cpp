@@ -9,6 +9,8 @@
 
 #include "model/motion/march.hpp"
 #include "model/numerics/vectors.hpp"
+#include "model/scene/shapes/box.hpp"
+#include "model/scene/shapes/disc.hpp"
 #include "model_grid.hpp"
 #include "model_results_fake.hpp"
 

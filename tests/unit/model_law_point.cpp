@@ -84,7 +84,7 @@ TEST(PlasticMaterial, IsReadAsWritten) {
   for (const char* effect : {"plasticity", "tension rule sign", "no return mapping (hypothesis 3)"})
     EXPECT_THAT(scene.effects(), Contains(effect));
   const Scene plain = scene_with("yield = \"300 MPa\"\nhardening = \"2.12 GPa\"");
-  EXPECT_DOUBLE_EQ(plain.materials.at("m").plasticity->hardening, 2.12e9);
+  EXPECT_DOUBLE_EQ(plain.materials.at("m").plasticity()->hardening, 2.12e9);
   EXPECT_THAT(plain.effects(), Contains("plasticity"));
   EXPECT_THAT(scene_with("", "elastic").effects(), Not(Contains("plasticity")));
 }

@@ -11,6 +11,7 @@
 
 #include "model/motion/march.hpp"
 #include "model/results/recorder.hpp"
+#include "model/scene/shapes/box.hpp"
 
 namespace femsph {
 namespace {

@@ -10,6 +10,8 @@
 #include "model/motion/overlap.hpp"
 #include "model/motion/ties.hpp"
 #include "model/numerics/vectors.hpp"
+#include "model/scene/shapes/box.hpp"
+#include "model/scene/shapes/disc.hpp"
 #include "model_grid.hpp"
 
 namespace femsph {

@@ -11,8 +11,8 @@
 #include <set>
 
 #include "model/scene/reader/reader.hpp"
+#include "model/scene/shapes/ball.hpp"
 #include "model/scene/shapes/multilinear.hpp"
-#include "model/scene/shapes/structured_shapes.hpp"
 
 namespace femsph {
 namespace {

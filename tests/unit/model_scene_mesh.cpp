@@ -9,6 +9,7 @@
 #include <fstream>
 
 #include "model/scene/reader/reader.hpp"
+#include "model/scene/shapes/mesh.hpp"
 #include "model/scene/shapes/mesh_check.hpp"
 #include "model/scene/shapes/multilinear.hpp"
 

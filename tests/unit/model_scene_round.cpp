@@ -11,7 +11,8 @@
 
 #include "model/scene/reader/reader.hpp"
 #include "model/scene/shapes/multilinear.hpp"
-#include "model/scene/shapes/structured_shapes.hpp"
+#include "model/scene/shapes/quadrilateral.hpp"
+#include "model/scene/shapes/round.hpp"
 
 namespace femsph {
 namespace {

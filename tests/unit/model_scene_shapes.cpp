@@ -15,9 +15,10 @@
 #include <random>
 #include <stdexcept>
 
+#include "model/scene/shapes/box.hpp"
 #include "model/scene/shapes/child.hpp"
+#include "model/scene/shapes/mesh.hpp"
 #include "model/scene/shapes/multilinear.hpp"
-#include "model/scene/shapes/shape.hpp"
 
 using namespace femsph;
 using testing::ElementsAre;

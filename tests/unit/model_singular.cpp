@@ -7,7 +7,9 @@
 #include <cmath>
 
 #include "model/scene/reader/reader.hpp"
-#include "model/scene/shapes/structured_shapes.hpp"
+#include "model/scene/shapes/box.hpp"
+#include "model/scene/shapes/mesh.hpp"
+#include "model/scene/shapes/round.hpp"
 #include "model/scene/singular.hpp"
 
 namespace femsph {
@@ -165,8 +167,9 @@ TEST(Singular, StressWhereAClampEnds) {
   other.sections.clear();
   EXPECT_THAT(singular_places(other), IsEmpty());
   other = scene;
-  other.materials["steel"].plasticity.emplace();  // stress is bounded by the yield stress, strain by nothing
-  other.materials["steel"].plasticity->yield = 3e8, other.materials["steel"].plasticity->hardening = 0;
+  Plasticity perfect;  // stress is bounded by the yield stress, strain by nothing
+  perfect.yield = 3e8;
+  other.materials["steel"].parameters = perfect;
   EXPECT_THAT(observers(other, Kind::clamp), ElementsAre("root"));
 }
 

@@ -8,6 +8,7 @@
 
 #include "model/motion/march.hpp"
 #include "model/scene/reader/reader.hpp"
+#include "model/scene/shapes/box.hpp"
 
 namespace femsph {
 namespace {

@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "model/motion/march.hpp"
+#include "model/scene/shapes/box.hpp"
 #include "model_results_fake.hpp"
 
 namespace femsph {

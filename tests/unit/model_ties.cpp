@@ -9,6 +9,7 @@
 
 #include "model/motion/march.hpp"
 #include "model/numerics/vectors.hpp"
+#include "model/scene/shapes/box.hpp"
 #include "model_grid.hpp"
 
 namespace femsph {

@@ -7,6 +7,7 @@
 
 #include "model/motion/march.hpp"
 #include "model/numerics/array.hpp"
+#include "model/scene/shapes/box.hpp"
 #include "model_results_fake.hpp"
 
 namespace femsph {

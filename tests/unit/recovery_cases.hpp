@@ -13,6 +13,8 @@
 #include "model/numerics/vectors.hpp"
 #include "model/results/recovery.hpp"
 #include "model/scene/scene.hpp"
+#include "model/scene/shapes/box.hpp"
+#include "model/scene/shapes/mesh.hpp"
 
 namespace femsph::test {
 
@@ -24,7 +26,7 @@ inline Scene recovery_scene(std::shared_ptr<const Shape> shape, Plane plane,
                             std::optional<Plasticity> plasticity = {}) {
   Scene s;
   s.plane = plane;
-  s.materials["m"] = Material{"m", E, nu, 7850.0, plasticity};
+  s.materials["m"] = Material{"m", E, nu, 7850.0, plasticity ? LawParameters(*plasticity) : LawParameters()};
   s.bodies.push_back(Body{"body", std::move(shape), 1.0, "m"});
   return s;
 }

@@ -8,7 +8,7 @@
 #include <cmath>
 
 #include "model/input/faults.hpp"
-#include "model/scene/shapes/structured_shapes.hpp"
+#include "model/scene/shapes/round.hpp"
 #include "sph_support.hpp"
 
 namespace femsph::test {
@@ -134,7 +134,7 @@ TEST(MeanDilatation, IsTakenWhereTheVolumeIsKept) {
   const Case strain{"", Plane::strain, false, false}, stress{"", Plane::stress, false, false};
   const auto memory = [&](const Case& c, double poisson, bool plastic, sph::Dilatation kind) {
     Scene s = scene_of(c, poisson);
-    if (plastic) s.materials["steel"].plasticity = Plasticity{3e8, 0};
+    if (plastic) s.materials["steel"].parameters = Plasticity{3e8, 0};
     sph::Options o = corrected(0.01);
     o.dilatation = kind;
     return sph::discretize(s, 0, o)->bytes();

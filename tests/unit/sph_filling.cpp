@@ -10,7 +10,13 @@
 
 #include "model/motion/mass_properties.hpp"
 #include "model/numerics/vectors.hpp"
-#include "model/scene/shapes/structured_shapes.hpp"
+#include "model/scene/shapes/ball.hpp"
+#include "model/scene/shapes/box.hpp"
+#include "model/scene/shapes/disc.hpp"
+#include "model/scene/shapes/mesh.hpp"
+#include "model/scene/shapes/quadrilateral.hpp"
+#include "model/scene/shapes/round.hpp"
+#include "model/scene/shapes/structured.hpp"
 #include "sph/particles/partial_volumes.hpp"
 #include "sph_support.hpp"
 

@@ -9,7 +9,9 @@
 #include <numeric>
 
 #include "model/motion/march.hpp"
-#include "model/scene/shapes/structured_shapes.hpp"
+#include "model/scene/shapes/ball.hpp"
+#include "model/scene/shapes/quadrilateral.hpp"
+#include "model/scene/shapes/round.hpp"
 #include "sph_support.hpp"
 
 namespace femsph::test {

@@ -13,7 +13,7 @@ namespace {
 
 Scene plastic_scene(Plane plane, bool large) {
   Scene s = box_scene(plane, plane == Plane::none ? Point{0.06, 0.05, 0.04} : Point{0.08, 0.06, 0}, large);
-  s.materials.at("steel").plasticity = Plasticity{300e6, 2.1e11 / 99};
+  s.materials.at("steel").parameters = Plasticity{300e6, 2.1e11 / 99};
   return s;
 }
 

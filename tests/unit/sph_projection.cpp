@@ -6,7 +6,12 @@
 #include <numeric>
 
 #include "model/numerics/vectors.hpp"
-#include "model/scene/shapes/structured_shapes.hpp"
+#include "model/scene/shapes/ball.hpp"
+#include "model/scene/shapes/box.hpp"
+#include "model/scene/shapes/disc.hpp"
+#include "model/scene/shapes/mesh.hpp"
+#include "model/scene/shapes/quadrilateral.hpp"
+#include "model/scene/shapes/round.hpp"
 #include "sph_support.hpp"
 
 namespace femsph::test {
@@ -285,13 +290,13 @@ TEST(Projection, SidesThatCutALatticeHoldAUniformStress) {
     const double sigma[3][3] = {{p, 0, 0}, {0, p, 0}, {0, 0, p}};
     std::vector<std::string> sides = b.shape->sides();
     std::erase_if(sides, [&](const std::string& side) {
-      return b.shape->cells() || dynamic_cast<const Quadrilateral*>(b.shape.get()) ? side.size() == 2 : false;
+      return b.shape->names_whole_boundary() ? side.size() == 2 : false;
     });
     std::vector<Point> area(d->layout().points, Point{});
     Point all{};
     std::vector<Place> places;
     for (const std::string& side : sides) places.push_back({0, {side}, {}, {}, {}});
-    if (dynamic_cast<const Ball*>(b.shape.get())) places = {Place{0, {}, {}, {}, {}}};  // "all"
+    if (b.shape->touches_sides_in_points()) places = {Place{0, {}, {}, {}, {}}};  // "all"
     for (const Place& place : places)
       for (const PointArea& part : d->outward_areas(place))
         area[part.point] = area[part.point] + part.area, all = all + part.area;

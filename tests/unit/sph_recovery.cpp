@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "model/scene/shapes/box.hpp"
 #include "sph/sph.hpp"
 #include "tests/unit/recovery_cases.hpp"
 

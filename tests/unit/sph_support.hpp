@@ -8,6 +8,7 @@
 #include "model/numerics/array.hpp"
 #include "model/numerics/parallel.hpp"
 #include "model/scene/scene.hpp"
+#include "model/scene/shapes/box.hpp"
 #include "sph/operators/kernel.hpp"
 #include "sph/particles/particles.hpp"
 #include "sph/sph.hpp"

@@ -150,7 +150,7 @@ double apart(const AlignedVector<double>& a, const AlignedVector<double>& b) {
 template <int dim, class LawType>
 void compare_with_plain(Plane plane, bool plastic, sph::KernelKind kind, double smoothing) {
   Scene scene = box_scene(plane, dim == 3 ? Point{0.08, 0.07, 0.06} : Point{0.2, 0.13, 0}, true);
-  if (plastic) scene.materials.at("steel").plasticity = Plasticity{300e6, 2.1e9};
+  if (plastic) scene.materials.at("steel").parameters = Plasticity{300e6, 2.1e9};
   sph::Options options = classic(0.01, sph::MassRule::trapezoid);
   options.kernel = kind;
   options.smoothing = smoothing;
@@ -313,7 +313,7 @@ TEST(UpdatedNeoHookean, ForcesAreTheSlopeOfTheEnergy) {
   for (Plane plane : {Plane::stress, Plane::strain, Plane::none}) {
     Scene scene = box_scene(
         plane, plane == Plane::none ? Point{0.08, 0.07, 0.06} : Point{0.2, 0.13, 0}, true);
-    scene.materials.at("steel").neo_hookean = true;
+    scene.materials.at("steel").parameters = NeoHookean::Parameters{};
     const auto d = sph::discretize(scene, 0, classic(0.01, sph::MassRule::share));
     AlignedVector<double> f(d->layout().size, 0.0), f0, u0, v = f;
     double e0 = 0, e1 = 0, work = 0;
@@ -333,7 +333,7 @@ TEST(UpdatedNeoHookean, ForcesAreTheSlopeOfTheEnergy) {
 // A run taken up again goes on to the last bit, wherever its lists were searched.
 TEST(UpdatedLagrangian, GoesOnFromASavedState) {
   Scene scene = box_scene(Plane::strain, {0.3, 0.2, 0}, true);
-  scene.materials.at("steel").plasticity = Plasticity{300e6, 2.1e9};
+  scene.materials.at("steel").parameters = Plasticity{300e6, 2.1e9};
   sph::Options options = classic(0.01, sph::MassRule::share);
   options.viscosity = {1, 1, 1};
   const auto whole = sph::discretize(scene, 0, options), later = sph::discretize(scene, 0, options);

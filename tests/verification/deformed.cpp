@@ -9,6 +9,7 @@
 #include "compare/run/run.hpp"
 #include "model/numerics/archive.hpp"
 #include "model/numerics/array.hpp"
+#include "model/scene/shapes/box.hpp"
 
 namespace femsph::compare {
 namespace {
@@ -29,9 +30,9 @@ Deformed block(const char* method, bool solid, bool neo_hookean, double crush) {
   d.scene.large_motion = true;
   Material m{"m", 210e9, 0.3, 7850};
   if (neo_hookean)
-    m.neo_hookean = true;
+    m.parameters = NeoHookean::Parameters{};
   else
-    m.plasticity = Plasticity{5e9, 0};  // yields at 2 % of strain
+    m.parameters = Plasticity{5e9, 0};  // yields at 2 % of strain
   d.scene.materials["m"] = m;
   d.scene.bodies.push_back(
       {"block", std::make_shared<Box>(solid ? 3 : 2, Point{}, Point{0.4, 0.4, solid ? 0.4 : 0.0}), 1, "m"});

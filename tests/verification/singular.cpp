@@ -12,6 +12,7 @@
 #include "compare/study/study_limits.hpp"
 #include "fem/fem.hpp"
 #include "model/scene/reader/reader.hpp"
+#include "model/scene/shapes/box.hpp"
 
 namespace femsph {
 namespace {

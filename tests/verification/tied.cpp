@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <optional>
 
+#include "model/scene/shapes/box.hpp"
 #include "momentum.hpp"
 #include "support.hpp"
 

@@ -2,17 +2,25 @@
 
 #include <algorithm>
 
+#include "model/material/laws/law_input.hpp"
 #include "model/numerics/tensor.hpp"
 
 namespace femsph {
-
-/// How a two-dimensional scene stands for a body in space; `none` is three-dimensional.
-enum class Plane { stress, strain, none };
 
 /// Isotropic linear elasticity, sigma = lambda tr(eps) I + 2 mu eps.
 /// In plane stress lambda is the effective 2 lambda mu / (lambda + 2 mu) = E nu / (1 - nu^2), so one formula
 /// serves all three cases.
 struct LinearElastic {
+  struct Parameters {};
+  static constexpr const char* name = "elastic";
+  static Entry entry() { return {"elastic", "isotropic linear elasticity (Hooke's law)"}; }
+  static Parameters read(Fields&, const LawInput&) { return {}; }
+  static LinearElastic of(const Parameters&, const ElasticConstants& m, Plane plane) {
+    return make(m.young, m.poisson, m.density, plane);
+  }
+  static BarYield bar(const Parameters&) { return {}; }
+  static std::vector<std::string> effects(const Parameters&) { return {}; }
+
   double lambda;   ///< effective first Lame parameter, Pa
   double mu;       ///< shear modulus, Pa
   double density;  ///< kg/m^3

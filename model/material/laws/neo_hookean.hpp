@@ -17,6 +17,18 @@
 namespace femsph {
 
 struct NeoHookean {
+  struct Parameters {};
+  static constexpr const char* name = "neo-Hookean";
+  static Entry entry() {
+    return {
+        "neo-hookean", "compressible neo-Hookean solid (Bonet & Wood, 6.27); with motion = \"large\" only"};
+  }
+  static Parameters read(Fields&, const LawInput&) { return {}; }
+  static NeoHookean of(const Parameters&, const ElasticConstants& m, Plane plane) {
+    return make(m.young, m.poisson, m.density, plane);
+  }
+  static BarYield bar(const Parameters&) { return {}; }  // a bar's strain stays small
+
   LinearElastic base;  ///< its limit for small strain
   double lambda;       ///< of the material (in plane stress base.lambda is the plane's)
 

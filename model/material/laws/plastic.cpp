@@ -2,7 +2,6 @@
 
 #include <algorithm>
 
-#include "model/material/flow_stress.hpp"
 #include "model/material/laws/johnson_cook.hpp"
 #include "model/material/laws/no_return.hpp"
 #include "model/material/laws/return_mapping.hpp"

@@ -1,8 +1,9 @@
 #pragma once
 // Metal-like plasticity, and what the paper makes of it for concrete.
 //
-//   yield      f = q - Y,  q = sqrt(3/2 s:s) (von Mises),  Y = yield + hardening p   (linear isotropic
-//   hardening; eq. 8 of the paper) flow       d eps^p = dp 3 s / (2 q),  p the equivalent plastic strain
+//   yield      f = q - Y,  q = sqrt(3/2 s:s) (von Mises),  Y = yield + hardening p
+//              (linear isotropic hardening; eq. 8 of the paper)
+//   flow       d eps^p = dp 3 s / (2 q),  p the equivalent plastic strain
 //
 // A tension rule and the way the stress is integrated are parameters of the one law, so that it is compiled
 // once for all of them. The elastic step, the question whether any of eight points yields, and the return
@@ -10,18 +11,23 @@
 // pieces: return_mapping.hpp, no_return.hpp, tension.hpp.
 
 #include <optional>
+#include <utility>
 
+#include "model/material/laws/flow_stress.hpp"
 #include "model/material/laws/return_mapping.hpp"
 #include "model/numerics/elementary.hpp"
 
 namespace femsph {
 
 enum class TensionRule {
-  none,       ///< the same yield stress in tension and compression
-  sign,       ///< the yield stress is `tensile_strength` where the trial mean stress is tension (the paper's
-              ///< concrete: 30 and 3 MPa)
-  principal,  ///< no principal stress above `tensile_strength` (Rankine): a spectral cut-off after the von
-              ///< Mises step
+  /// The same yield stress in tension and compression.
+  none,
+  /// The yield stress is `tensile_strength` where the trial mean stress is tension (the paper's concrete: 30
+  /// and
+  /// 3 MPa).
+  sign,
+  /// No principal stress above `tensile_strength` (Rankine): a spectral cut-off after the von Mises step.
+  principal,
 };
 
 /// How stress follows strain beyond yield. The paper shows results "without return mapping" and does not say
@@ -49,11 +55,30 @@ struct Plasticity {
   TensionRule tension = TensionRule::none;
   double tensile_strength = 0;  ///< Pa; sign and principal only
   Integration integration = Integration::return_mapping;
-  std::optional<JohnsonCook> johnson_cook =
-      {};  ///< in place of `hardening`; with return mapping and without a tension rule only
+  /// In place of `hardening`; with return mapping and without a tension rule only.
+  std::optional<JohnsonCook> johnson_cook = {};
+
+  /// The yield stress stays what it is.
+  bool perfect() const { return hardening == 0 && !johnson_cook; }
 };
 
+/// The words for stress integration: "return", "no-return-1", ..
+const std::vector<std::pair<std::string, Integration>>& integrations();
+
 struct Plastic {
+  using Parameters = Plasticity;
+  static constexpr const char* name = "plastic";
+  // What the law says of itself, and the reading of its keys: plastic_keys.cpp.
+  static Entry entry();
+  static std::vector<KeyTable> tables();
+  static Parameters read(Fields& fields, const LawInput& in);
+  static std::vector<std::string> effects(const Parameters& p);
+  static BarYield bar(const Parameters& p);
+  static const Plasticity* plasticity(const Parameters& p) { return &p; }
+  static Plastic of(const Parameters& p, const ElasticConstants& m, Plane plane) {
+    return {LinearElastic::make(m.young, m.poisson, m.density, plane), p};
+  }
+
   LinearElastic base;
   Plasticity parameters;
   double step = 0;  ///< s, that the next increments take; 0: unknown
@@ -197,5 +222,11 @@ struct Plastic {
     return history[work];
   }
 };
+
+/// Infinite without return mapping: there the stress passes the yield stress, and rightly by these
+/// hypotheses. By Johnson and Cook's rule what the last step's rate and heat make of it, and not below what
+/// the point bears: where the strain stands still, stress that a rate held up stays.
+FlowStress flow_stress(const Plastic& law, const double* history, double share,
+                       const std::array<double, 6>& cauchy);
 
 }  // namespace femsph

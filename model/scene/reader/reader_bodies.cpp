@@ -12,124 +12,17 @@
 namespace femsph::scene_reader {
 namespace {
 
-/// dY/dp, given as it is or by the tangent modulus Et of the uniaxial curve: 1/Et = 1/E + 1/H.
-double read_hardening(Fields& fields, double young) {
-  const auto hardening = fields.quantity(
-      "hardening", Need::optional, dimension::pressure, Sign::not_negative);
-  const std::string range = "a number from 0 to below 1 (the tangent modulus over Young's)";
-  const auto ratio = fields.number("tangent_ratio", Need::optional, range);
-  if (ratio && !(*ratio >= 0 && *ratio < 1))
-    fields.fault("tangent_ratio", fmt::format("\"tangent_ratio\" is {}; expected {}", *ratio, range));
-  if (fields.has("hardening") == fields.has("tangent_ratio"))
-    fields.fault(fields.has("hardening") ? "hardening" : "law",
-                 fmt::format("{} in {}; expected one of them: \"hardening\" is H, Pa per plastic strain, "
-                             "\"tangent_ratio\" is r = Et/E, H = E r / (1 - r)",
-                             fields.has("hardening") ? "both \"hardening\" and \"tangent_ratio\""
-                                                     : "neither \"hardening\" nor \"tangent_ratio\"",
-                             fields.name()));
-  return hardening.value_or(ratio ? young * *ratio / (1 - *ratio) : 0.0);
+LawInput law_input(const Material& material, const Reading& reading) {
+  LawInput in{{material.young, material.poisson, material.density}, {}, {}};
+  if (reading.dim) in.plane = reading.scene.plane;
+  if (reading.motion_known) in.large_motion = reading.scene.large_motion;
+  return in;
 }
-
-/// [materials.NAME.johnson_cook]; `density` of the material, kg/m^3.
-JohnsonCook read_johnson_cook(Fields& material, double density) {
-  JohnsonCook jc;
-  auto table = material.table(
-      "johnson_cook", Need::required, "a table with B, n and what else the metal has");
-  if (!table) return jc;
-  const auto number = [&](const char* key, Need need, double otherwise, double least, double most,
-                          const std::string& expected) {
-    const auto value = table->number(key, need, expected);
-    if (value && !(*value >= least && *value <= most))
-      table->fault(key, fmt::format("\"{}\" is {}; expected {}", key, *value, expected));
-    return value.value_or(otherwise);
-  };
-  jc.B = table->quantity("B", Need::required, dimension::pressure, Sign::not_negative).value_or(0);
-  jc.n = number(
-      "n", Need::required, 1, 1e-3, 1, "a number above 0 and at most 1 (the exponent of the plastic strain)");
-  jc.C = number("C", Need::optional, 0, 0, 1, "a number from 0 to 1 (what a rate e times as high adds)");
-  jc.rate = table
-                ->quantity("reference_rate", jc.C > 0 ? Need::required : Need::optional, dimension::rate,
-                           Sign::positive)
-                .value_or(1);
-  const bool hot = table->has("melting");
-  const Need with_heat = hot ? Need::required : Need::optional;
-  jc.melting = table->quantity("melting", Need::optional, dimension::temperature, Sign::positive).value_or(0);
-  jc.m = number("m", with_heat, 1, 1e-3, 10, "a number above 0 (the exponent of the temperature)");
-  jc.room = table->quantity("room", with_heat, dimension::temperature, Sign::positive).value_or(0);
-  jc.start = table->quantity("temperature", Need::optional, dimension::temperature, Sign::positive)
-                 .value_or(jc.room);
-  const auto capacity = table->quantity("heat_capacity", with_heat, dimension::heat_capacity, Sign::positive);
-  const double share = number("heat_share", Need::optional, 0.9, 0, 1,
-                              "a number from 0 to 1 (the share of plastic work that turns to heat)");
-  if (hot && jc.melting <= jc.room)
-    table->fault(
-        "melting",
-        fmt::format("\"melting\" is {:g} K, not above \"room\", {:g} K; expected the higher of the two",
-                    jc.melting, jc.room));
-  if (!hot)
-    for (const char* key : {"m", "room", "temperature", "heat_capacity", "heat_share"})
-      if (table->has(key))
-        table->fault(
-            key, fmt::format("\"{}\" without \"melting\"; expected both, or no effect of heat", key));
-  jc.heating = capacity ? share / (density * *capacity) : 0.0;
-  table->done();
-  return jc;
-}
-
-/// Johnson-Cook goes with the plain law alone, and needs a component of stress across the plane.
-void check_johnson_cook(Fields& fields, const Plasticity& p, const Reading& reading) {
-  for (const char* key : {"hardening", "tangent_ratio"})
-    if (fields.has(key))
-      fields.fault(
-          key,
-          fmt::format(
-              "\"{}\" with \"johnson_cook\", which says how the metal hardens; expected one of them", key));
-  if (p.tension != TensionRule::none)
-    fields.fault("tension", "a tension rule with \"johnson_cook\"; expected none");
-  if (p.integration != Integration::return_mapping)
-    fields.fault("integration", "\"integration\" with \"johnson_cook\"; expected \"return\"");
-  if (reading.dim == 2 && reading.scene.plane == Plane::stress)
-    fields.fault("johnson_cook",
-                 "\"johnson_cook\" in plane stress; expected plane = \"strain\" or \"none\" in [model]");
-}
-
-Plasticity read_plasticity(Fields& fields, const Material& material, const Reading& reading) {
-  Plasticity p;
-  p.yield = fields.quantity("yield", Need::required, dimension::pressure, Sign::positive).value_or(1);
-  if (fields.has("johnson_cook")) {
-    p.johnson_cook = read_johnson_cook(fields, material.density);
-    fields.quantity("hardening", Need::optional, dimension::pressure);
-    fields.number("tangent_ratio", Need::optional);
-  } else {
-    p.hardening = read_hardening(fields, material.young);
-  }
-  p.tension = fields
-                  .choice<TensionRule>("tension", Need::optional,
-                                       {{"none", TensionRule::none},
-                                        {"sign", TensionRule::sign},
-                                        {"principal", TensionRule::principal}})
-                  .value_or(TensionRule::none);
-  const bool limited = p.tension != TensionRule::none;
-  p.tensile_strength = fields
-                           .quantity("tensile_strength", limited ? Need::required : Need::optional,
-                                     dimension::pressure, Sign::positive)
-                           .value_or(0);
-  if (!limited && fields.has("tensile_strength"))
-    fields.fault(
-        "tensile_strength",
-        "\"tensile_strength\" without a tension rule; expected tension = \"sign\" or \"principal\" with it");
-  p.integration = fields.choice<Integration>("integration", Need::optional, integrations())
-                      .value_or(Integration::return_mapping);
-  if (p.johnson_cook) check_johnson_cook(fields, p, reading);
-  return p;
-}
-
-enum class LawWord { elastic, neo_hookean, plastic };
 
 Material read_material(const std::string& name, Fields& fields, const Reading& reading) {
-  const auto law = fields.choice<LawWord>(
-      "law", Need::required,
-      {{"elastic", LawWord::elastic}, {"neo-hookean", LawWord::neo_hookean}, {"plastic", LawWord::plastic}});
+  std::vector<std::pair<std::string, const LawEntry*>> words;
+  for (const LawEntry& law : laws()) words.emplace_back(law.entry.word, &law);
+  const auto law = fields.choice<const LawEntry*>("law", Need::required, words);
   const auto young = fields.quantity("young", Need::required, dimension::pressure, Sign::positive);
   const std::string range = "a number above -1 and below 0.5 (a stable, compressible material)";
   const auto poisson = fields.number("poisson", Need::required, range);
@@ -138,12 +31,11 @@ Material read_material(const std::string& name, Fields& fields, const Reading& r
   const auto density = fields.quantity("density", Need::required, dimension::density, Sign::positive);
   Material material{name, young.value_or(1), poisson.value_or(0), density.value_or(1)};
   if (!law) fields.accept_rest();
-  if (law == LawWord::plastic) material.plasticity = read_plasticity(fields, material, reading);
-  material.neo_hookean = law == LawWord::neo_hookean;
-  if (material.neo_hookean && reading.motion_known && !reading.scene.large_motion)
-    fields.fault("law",
-                 "\"law\" is \"neo-hookean\" with small motion, where it is the elastic law; expected motion "
-                 "= \"large\" in [model], or law = \"elastic\"");
+  if (law) material.parameters = (*law)->read(fields, law_input(material, reading));
+  if (law && (*law)->large_motion_only && reading.motion_known && !reading.scene.large_motion)
+    fields.fault("law", fmt::format("\"law\" is {} with small motion, where it is the elastic law; expected "
+                                    "motion = \"large\" in [model], or law = \"elastic\"",
+                                    in_quotes((*law)->entry.word)));
   fields.done();
   return material;
 }

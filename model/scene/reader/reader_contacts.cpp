@@ -108,6 +108,9 @@ void read_rigid_body(Fields& fields, Body& body, const Reading& reading) {
         "\"thickness\" in a three-dimensional scene; expected it only with plane = \"stress\" or \"strain\"");
   if (body.shape && body.shape->cells())
     fields.fault("shape", "a rigid body made of cells; expected \"box\", \"disc\" or \"sphere\"");
+  else if (body.shape && !body.shape->rigid())
+    fields.fault(
+        "shape", fmt::format("a rigid {}; expected \"box\", \"disc\" or \"sphere\"", body.shape->describe()));
   if (!usable_name(body.name))
     fields.fault(
         "shape",

@@ -70,11 +70,9 @@ void read_bars(Fields& root, Reading& reading) {
                                            one_of(materials), did_you_mean(*material, materials)));
     if (!body || !from || !to || !area || !material) continue;
     const auto known = reading.scene.materials.find(*material);
-    if (known != reading.scene.materials.end() && known->second.plasticity &&
-        known->second.plasticity->johnson_cook)
-      fields.fault("material", fmt::format("material {} hardens by Johnson-Cook, which bars do not; expected "
-                                           "\"hardening\" or \"tangent_ratio\"",
-                                           in_quotes(*material)));
+    if (known != reading.scene.materials.end())
+      if (const std::string why = known->second.bar().refusal; !why.empty())
+        fields.fault("material", fmt::format("material {} {}", in_quotes(*material), why));
     const Bar bar{name, *body, *from, *to, *area, *material, fields.source()};
     require_inside(fields, "from", *from, *body, reading);
     require_inside(fields, "to", *to, *body, reading);

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "model/scene/shapes/mesh.hpp"
 #include "model/scene/shapes/mesh_sides.hpp"
 
 namespace femsph {

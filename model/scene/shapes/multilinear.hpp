@@ -5,6 +5,7 @@
 #include <array>
 #include <vector>
 
+#include "model/numerics/box_grid.hpp"
 #include "model/scene/shapes/shape.hpp"
 
 namespace femsph {

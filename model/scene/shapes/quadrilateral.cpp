@@ -1,17 +1,20 @@
+#include "model/scene/shapes/quadrilateral.hpp"
+
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
 #include <stdexcept>
 
+#include "model/input/toml_fields.hpp"
 #include "model/scene/shapes/multilinear.hpp"
-#include "model/scene/shapes/structured_shapes.hpp"
+#include "model/scene/shapes/shapes.hpp"
 
 namespace femsph {
 
 namespace {
 
-const std::vector<std::string> names = {"bottom", "right", "top", "left"};
+const std::vector<std::string> side_names = {"bottom", "right", "top", "left"};
 
 Patch patch_of(const std::array<Point, 4>& c) { return {2, {c[0], c[1], c[3], c[2]}}; }
 
@@ -43,14 +46,14 @@ bool Quadrilateral::contains(const Point& p, double tolerance) const {
 
 std::vector<std::string> Quadrilateral::sides() const {
   std::vector<std::string> all = Shape::sides();
-  all.insert(all.end(), names.begin(), names.end());
+  all.insert(all.end(), side_names.begin(), side_names.end());
   return all;
 }
 
 bool Quadrilateral::on_side(const std::string& side, const Point& p, double tolerance) const {
-  const auto found = std::find(names.begin(), names.end(), side);
-  if (found == names.end()) return Shape::on_side(side, p, tolerance);
-  const auto k = std::size_t(found - names.begin());
+  const auto found = std::find(side_names.begin(), side_names.end(), side);
+  if (found == side_names.end()) return Shape::on_side(side, p, tolerance);
+  const auto k = std::size_t(found - side_names.begin());
   return distance(Patch{1, {corners_[k], corners_[(k + 1) % 4]}}, p) <= tolerance;
 }
 
@@ -66,7 +69,7 @@ Point Quadrilateral::centroid() const {
 std::vector<SidePiece> Quadrilateral::side_pieces(const std::string& side, double size) const {
   std::vector<SidePiece> pieces;
   for (std::size_t k = 0; k < 4; ++k)
-    if (names[k] == side) add_pieces({1, {corners_[k], corners_[(k + 1) % 4]}}, size, 1, pieces);
+    if (side_names[k] == side) add_pieces({1, {corners_[k], corners_[(k + 1) % 4]}}, size, 1, pieces);
   return pieces;
 }
 
@@ -89,6 +92,46 @@ CellMesh Quadrilateral::mesh(const std::array<int, 3>& divisions) const {
       mesh.cells.push_back({v, v + 1, v + n + 1, v + n + 2});
     }
   return mesh;
+}
+
+namespace {
+
+ShapePointer read_quadrilateral(Fields& body, int dim, const std::filesystem::path&) {
+  std::array<Point, 4> corners;
+  bool all = true;
+  const char* keys[] = {"corner1", "corner2", "corner3", "corner4"};
+  for (std::size_t k = 0; k < 4; ++k) {
+    const auto corner = body.vector(keys[k], Need::required, dimension::length, dim);
+    corners[k] = corner.value_or(Point{});
+    all = all && corner;
+  }
+  if (dim == 3)
+    return body.fault(
+               "shape", "a quadrilateral in a three-dimensional scene; expected a plane one, or a \"mesh\""),
+           nullptr;
+  if (!all || !dim) return nullptr;
+  for (std::size_t k = 0; k < 4; ++k) {
+    const Point &a = corners[k], &b = corners[(k + 1) % 4], &c = corners[(k + 2) % 4];
+    if (!((b[0] - a[0]) * (c[1] - b[1]) - (b[1] - a[1]) * (c[0] - b[0]) > 0))
+      return body.fault(keys[(k + 1) % 4], fmt::format("the corners turn the wrong way at \"{}\"; expected a "
+                                                       "convex quadrilateral, counterclockwise from the "
+                                                       "lower left",
+                                                       keys[(k + 1) % 4])),
+             nullptr;
+  }
+  return std::make_shared<Quadrilateral>(corners);
+}
+
+}  // namespace
+
+ShapeEntry quadrilateral_entry() {
+  return {{"quadrilateral",
+           "convex, in a plane, by its corners, counterclockwise from the lower left",
+           {{"corner1", "a list of lengths", "lower left", true},
+            {"corner2", "a list of lengths", "lower right", true},
+            {"corner3", "a list of lengths", "upper right", true},
+            {"corner4", "a list of lengths", "upper left", true}}},
+          read_quadrilateral};
 }
 
 }  // namespace femsph

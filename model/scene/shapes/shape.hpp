@@ -1,14 +1,14 @@
 #pragma once
 // Shapes of bodies. A shape answers questions about points; it knows no particles and no elements.
-// A new shape is one class here and one entry in shape_reader.cpp; SPH fills it through contains() alone.
+// A new shape is one file in this folder (its class, its keys and their reading) and its name in the list of
+// shapes.cpp. SPH fills it through contains() alone; whatever else a shape can do has a default here.
 
 #include <array>
-#include <memory>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
 
-#include "model/numerics/box_grid.hpp"
 #include "model/numerics/tensor.hpp"
 
 namespace femsph {
@@ -23,14 +23,14 @@ struct CellMesh {
     int group;                    ///< index into groups, -1: unnamed
   };
   std::vector<Facet> facets;  ///< boundary facets that the file names
-  std::vector<std::string>
-      groups;  ///< of facets: their physical names, or their numbers where a name could mean two things
-  std::vector<std::size_t> cell_numbers,
-      vertex_numbers;  ///< those of the file, for messages; empty: there is no file
-  std::vector<std::pair<std::string, int>>
-      group_words;  ///< what a place may call a group: a name or a number, an index into groups
-  std::vector<std::pair<std::string, std::string>>
-      vain_words;  ///< names and numbers of the file that no place can use, and why
+  /// Of facets: their physical names, or their numbers where a name could mean two things.
+  std::vector<std::string> groups;
+  /// Those of the file, for messages; empty: there is no file.
+  std::vector<std::size_t> cell_numbers, vertex_numbers;
+  /// What a place may call a group: a name or a number, and an index into groups.
+  std::vector<std::pair<std::string, int>> group_words;
+  /// Names and numbers of the file that no place can use, and why.
+  std::vector<std::pair<std::string, std::string>> vain_words;
 };
 
 /// A small piece of a shape's boundary.
@@ -39,6 +39,10 @@ struct SidePiece {
   double size = 0;  ///< m, or m^2 in 3D
   Point area{};     ///< outward, of length `size`; 0 where the body goes on behind it
 };
+
+class Box;
+class StructuredShape;
+class RigidForm;
 
 class Shape {
  public:
@@ -59,83 +63,26 @@ class Shape {
   /// needs to know of it. Empty for a side that on_side() tells alone, such as a plane side of the bounding
   /// box, or one that is a point.
   virtual std::vector<SidePiece> side_pieces(const std::string& side, double size) const;
+  /// side_pieces() of the named sides, those of the bounding box aside, are the whole boundary.
+  virtual bool names_whole_boundary() const { return cells() != nullptr; }
+  /// Itself, if it is its bounding box.
+  virtual const Box* box() const { return nullptr; }
+  bool is_box() const { return box() != nullptr; }
+  /// It has curved sides.
+  virtual bool is_round() const { return false; }
+  /// It touches each side of its bounding box in one point.
+  virtual bool touches_sides_in_points() const { return false; }
   /// The body's own cells, if it comes with some.
   virtual const CellMesh* cells() const { return nullptr; }
+  /// Itself, if it can cut itself into cells that both solvers take.
+  virtual const StructuredShape* structured() const { return nullptr; }
+  /// Cells for FEM, about (upper - lower) / divisions along each axis; none if it cannot be cut. (FEM cuts a
+  /// box by itself.)
+  virtual std::optional<CellMesh> cut(const std::array<int, 3>& divisions) const;
+  /// What contact asks of a rigid body; null if the shape cannot be one.
+  virtual const RigidForm* rigid() const { return nullptr; }
   /// One line for the user: "box 1000 x 100 mm".
   virtual std::string describe() const = 0;
 };
-
-/// An axis-parallel rectangle or cuboid.
-class Box final : public Shape {
- public:
-  Box(int dim, Point origin, Point size) : dim_(dim), origin_(origin), size_(size) {}
-  int dim() const override { return dim_; }
-  Point lower() const override { return origin_; }
-  Point upper() const override;
-  bool contains(const Point& p, double tolerance) const override;
-  double measure() const override;
-  Point centroid() const override;
-  std::string describe() const override;
-  const Point& size() const { return size_; }
-
- private:
-  int dim_;
-  Point origin_, size_;
-};
-
-/// A disc or a sphere.
-class Ball final : public Shape {
- public:
-  Ball(int dim, Point centre, double radius) : dim_(dim), centre_(centre), radius_(radius) {}
-  int dim() const override { return dim_; }
-  Point lower() const override;
-  Point upper() const override;
-  bool contains(const Point& p, double tolerance) const override;
-  double measure() const override;
-  Point centroid() const override;
-  std::string describe() const override;
-  const Point& centre() const { return centre_; }
-  double radius() const { return radius_; }
-
- private:
-  int dim_;
-  Point centre_;
-  double radius_;
-};
-
-/// A body whose cells were made by Gmsh.
-class MeshShape final : public Shape {
- public:
-  /// `file` is for describe() only.
-  MeshShape(CellMesh mesh, std::string file);
-  int dim() const override { return mesh_.dim; }
-  Point lower() const override { return lower_; }
-  Point upper() const override { return upper_; }
-  bool contains(const Point& p, double tolerance) const override;
-  std::vector<std::string> sides() const override;  ///< the bounding box's, and the physical groups
-  bool on_side(const std::string& side, const Point& p, double tolerance) const override;
-  double measure() const override;
-  Point centroid() const override;
-  std::vector<SidePiece> side_pieces(const std::string& side, double size) const override;
-  const CellMesh* cells() const override { return &mesh_; }
-  std::string describe() const override;
-
- private:
-  CellMesh mesh_;
-  std::string file_;
-  Point lower_, upper_;
-  BoxGrid cell_grid_, facet_grid_;
-};
-
-/// What the scene says of a mesh that would be a mistake elsewhere.
-struct MeshWish {
-  int pieces = 1;           ///< how many the cells form, joined by their sides
-  bool open_seams = false;  ///< sides that lie on each other without sharing vertices are meant: a crack
-};
-
-/// Reads a .msh file (quadrilaterals in 2D, hexahedra in 3D; lengths multiplied by `unit`) and looks at all
-/// of it once, see mesh_check.hpp. Throws std::runtime_error with one sentence when the file cannot be read,
-/// holds no such cells, or could be read in two ways.
-CellMesh read_gmsh(const std::string& file, int dim, double unit, const MeshWish& wish = {});
 
 }  // namespace femsph

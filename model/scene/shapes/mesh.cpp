@@ -1,12 +1,16 @@
 // A body whose cells were made by Gmsh, as a shape: which points it holds, and which lie on its named sides.
 
+#include "model/scene/shapes/mesh.hpp"
+
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cctype>
 #include <map>
 
+#include "model/input/toml_fields.hpp"
 #include "model/scene/shapes/multilinear.hpp"
-#include "model/scene/shapes/shape.hpp"
+#include "model/scene/shapes/shapes.hpp"
 
 namespace femsph {
 namespace {
@@ -142,6 +146,51 @@ std::vector<SidePiece> MeshShape::side_pieces(const std::string& side, double si
 std::string MeshShape::describe() const {
   return fmt::format(
       "mesh {} of {} {}", file_, mesh_.cells.size(), mesh_.dim == 2 ? "quadrilaterals" : "hexahedra");
+}
+
+namespace {
+
+std::optional<double> read_length_unit(Fields& body) {
+  const std::string expected = "a unit of length, such as \"mm\"";
+  const auto unit = body.text("unit", Need::required, expected);
+  if (!unit) return {};
+  try {
+    const bool has_number = !unit->empty() &&
+                            std::isdigit((unsigned char)unit->front());  // "25.4 mm" is a unit as well
+    if (const double length = to_si((has_number ? "" : "1 ") + *unit, dimension::length); length > 0)
+      return length;
+  } catch (const std::invalid_argument&) {  // said below, without the "1" that the user did not write
+  }
+  body.fault("unit", fmt::format("\"unit\" is {}; expected {}", in_quotes(*unit), expected));
+  return {};
+}
+
+ShapePointer read_mesh(Fields& body, int dim, const std::filesystem::path& folder) {
+  const auto file = body.text("file", Need::required, "the path of a .msh file");
+  const auto unit = read_length_unit(body);
+  const MeshWish wish{body.count("pieces", Need::optional, 1, 1'000'000).value_or(1),
+                      body.flag("open_seams", Need::optional).value_or(false)};
+  if (!file || !unit || !dim) return nullptr;
+  try {
+    return std::make_shared<MeshShape>(
+        read_gmsh((folder / *file).lexically_normal().string(), dim, *unit, wish), *file);
+  } catch (const std::runtime_error& e) {
+    body.fault("file", e.what());
+    return nullptr;
+  }
+}
+
+}  // namespace
+
+ShapeEntry mesh_entry() {
+  return {{"mesh",
+           "quadrilaterals or hexahedra made by Gmsh, for both solvers",
+           {{"file", "a text", "path of a .msh file, relative to the scene's", true},
+            {"unit", "a unit of length", "of the file's lengths, such as \"mm\"", true},
+            {"pieces", "a whole number", "how many the cells form, joined by their sides; 1 unless given"},
+            {"open_seams", "true or false",
+             "sides that lie on each other without sharing vertices are meant: a crack"}}},
+          read_mesh};
 }
 
 }  // namespace femsph

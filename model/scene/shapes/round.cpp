@@ -1,18 +1,22 @@
+#include "model/scene/shapes/round.hpp"
+
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
 #include <functional>
 #include <map>
+#include <numbers>
 #include <stdexcept>
 
-#include "model/scene/shapes/structured_shapes.hpp"
+#include "model/input/toml_fields.hpp"
+#include "model/scene/shapes/shapes.hpp"
 
 namespace femsph {
 
 namespace {
 
-const double pi = std::acos(-1.0);
+using std::numbers::pi;
 
 /// Plane cells as they are laid, their common vertices found again by place.
 class Sheet {
@@ -196,6 +200,72 @@ CellMesh Round::mesh(const std::array<int, 3>& divisions) const {
       mesh.cells.push_back(cell);
     }
   return mesh;
+}
+
+namespace {
+
+/// Keys of a circular section; `hollow` ones have two radii, in space they have an axis and a length.
+template <int round_dim, bool hollow>
+ShapePointer read_round(Fields& body, int dim, const std::filesystem::path&) {
+  using Part = Round::Part;
+  Round::Size size;
+  const auto centre = body.vector("centre", Need::required, dimension::length, dim);
+  const auto outer = body.quantity(
+      hollow ? "outer" : "radius", Need::required, dimension::length, Sign::positive);
+  const auto inner = hollow ? body.quantity("inner", Need::required, dimension::length, Sign::positive)
+                            : std::optional<double>(0.0);
+  const auto part = body.choice<Part>(
+      "part", Need::optional, {{"whole", Part::whole}, {"half", Part::half}, {"quarter", Part::quarter}});
+  std::optional<double> length(0.0);
+  if (round_dim == 3) {
+    const auto axis = body.choice<int>("axis", Need::required, {{"x", 0}, {"y", 1}, {"z", 2}});
+    length = body.quantity("length", Need::required, dimension::length, Sign::positive);
+    if (!axis) return nullptr;
+    size.axis = *axis;
+  }
+  if (dim && dim != round_dim)
+    return body.fault("shape", round_dim == 2
+                                   ? "a ring in a three-dimensional scene; expected \"tube\""
+                                   : "a cylinder or tube in a plane scene; expected \"disc\" or \"ring\""),
+           nullptr;
+  if (hollow && inner && outer && *inner >= *outer)
+    return body.fault(
+               "inner",
+               fmt::format("\"inner\" is {:g} mm, not below \"outer\", {:g} mm; expected the smaller radius",
+                           *inner * 1e3, *outer * 1e3)),
+           nullptr;
+  if (!centre || !outer || !inner || !length || !dim) return nullptr;
+  size.centre = *centre, size.outer = *outer, size.inner = *inner, size.length = *length,
+  size.part = part.value_or(Part::whole);
+  return std::make_shared<Round>(dim, size);
+}
+
+std::vector<Key> round_keys(int dim, bool hollow) {
+  std::vector<Key> keys = {{"centre", "a list of lengths",
+                            dim == 2 ? "of the section" : "of the section where the axis begins", true}};
+  keys.push_back({hollow ? "outer" : "radius", "a length", hollow ? "outer radius" : "", true});
+  if (hollow) keys.push_back({"inner", "a length", "inner radius", true});
+  keys.push_back({"part", "\"whole\", \"half\", \"quarter\"",
+                  "half: where the section's second axis is positive; quarter: where both are"});
+  if (dim == 3) {
+    keys.push_back({"axis", "\"x\", \"y\", \"z\"", "along which it runs", true});
+    keys.push_back({"length", "a length", "along the axis", true});
+  }
+  return keys;
+}
+
+}  // namespace
+
+ShapeEntry ring_entry() {
+  return {{"ring", "a hollow disc in a plane, whole or cut", round_keys(2, true)}, read_round<2, true>};
+}
+
+ShapeEntry cylinder_entry() {
+  return {{"cylinder", "in space, whole or cut", round_keys(3, false)}, read_round<3, false>};
+}
+
+ShapeEntry tube_entry() {
+  return {{"tube", "a hollow cylinder, whole or cut", round_keys(3, true)}, read_round<3, true>};
 }
 
 }  // namespace femsph

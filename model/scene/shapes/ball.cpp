@@ -1,19 +1,23 @@
+#include "model/scene/shapes/ball.hpp"
+
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
 #include <functional>
 #include <map>
+#include <numbers>
 #include <stdexcept>
 #include <tuple>
 
-#include "model/scene/shapes/structured_shapes.hpp"
+#include "model/input/toml_fields.hpp"
+#include "model/scene/shapes/shapes.hpp"
 
 namespace femsph {
 
 namespace {
 
-const double pi = std::acos(-1.0);
+using std::numbers::pi;
 
 /// Cells of the unit ball as they are laid, their common vertices found again by place.
 class Lump {
@@ -160,6 +164,43 @@ CellMesh OwnBall::mesh(const std::array<int, 3>& divisions) const {
     p = place(size_.radius * at[0], size_.radius * at[1], size_.radius * at[2]);
   }
   return lump.mesh;
+}
+
+namespace {
+
+ShapePointer read_own_ball(Fields& body, int dim, const std::filesystem::path&) {
+  using Part = OwnBall::Part;
+  const auto centre = body.vector("centre", Need::required, dimension::length, dim);
+  const auto radius = body.quantity("radius", Need::required, dimension::length, Sign::positive);
+  const auto axis = body.choice<int>("axis", Need::optional, {{"x", 0}, {"y", 1}, {"z", 2}});
+  const auto part = body.choice<Part>(
+      "part", Need::optional, {{"whole", Part::whole}, {"half", Part::half}, {"quarter", Part::quarter}});
+  const auto finer = body.number("finer", Need::optional);
+  if (dim == 2) return body.fault("shape", "a ball in a plane scene; expected \"disc\""), nullptr;
+  if (finer && !(*finer >= 1 && *finer <= 20))
+    return body.fault(
+               "finer",
+               fmt::format(
+                   "\"finer\" is {:g}; expected how many times finer the cells are at the pole, from 1 to 20",
+                   *finer)),
+           nullptr;
+  if (!centre || !radius || !dim) return nullptr;
+  return std::make_shared<OwnBall>(
+      OwnBall::Size{*centre, *radius, axis.value_or(2), part.value_or(Part::whole), finer.value_or(1.0)});
+}
+
+}  // namespace
+
+ShapeEntry ball_entry() {
+  return {{"ball",
+           "in space, with cells for both solvers, whole or cut",
+           {{"centre", "a list of lengths", "", true},
+            {"radius", "a length", "", true},
+            {"axis", "\"x\", \"y\", \"z\"", "through its poles; z unless given"},
+            {"part", "\"whole\", \"half\", \"quarter\"",
+             "half: where the second axis across is positive; quarter: where both are"},
+            {"finer", "a number", "how many times finer the cells are at the lower pole, from 1 to 20"}}},
+          read_own_ball};
 }
 
 }  // namespace femsph

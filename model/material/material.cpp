@@ -1,0 +1,81 @@
+#include "model/material/material.hpp"
+
+#include <utility>
+
+#include "model/input/toml_fields.hpp"
+
+namespace femsph {
+namespace {
+
+template <class L>
+const typename L::Parameters& of_law(const LawParameters& all) {
+  return std::get<typename L::Parameters>(all);
+}
+
+std::vector<std::string> words_for_bars() {
+  std::vector<std::string> words;
+  for (const LawEntry& law : laws())
+    if (law.has_bars) words.push_back(law.entry.word);
+  return words;
+}
+
+template <class L>
+LawEntry entry_of() {
+  LawEntry e{L::entry(), {}, L::name, false, !L::path_independent, false, {}, {}, {}, {}, {}};
+  if constexpr (requires { L::tables(); }) e.tables = L::tables();
+  if constexpr (requires { L::large_motion_only; }) e.large_motion_only = L::large_motion_only;
+  e.read = [](Fields& fields, const LawInput& in) -> LawParameters { return L::read(fields, in); };
+  e.of = [](const LawParameters& p, const ElasticConstants& m, Plane plane) -> Law {
+    return L::of(of_law<L>(p), m, plane);
+  };
+  e.effects = [](const LawParameters& p) -> std::vector<std::string> {
+    if constexpr (requires { L::effects(of_law<L>(p)); })
+      return L::effects(of_law<L>(p));
+    else
+      return {std::string(L::name) + " law"};
+  };
+  e.has_bars = requires(const typename L::Parameters& p) { L::bar(p); };
+  e.bar = [](const LawParameters& p) -> BarYield {
+    if constexpr (requires { L::bar(of_law<L>(p)); })
+      return L::bar(of_law<L>(p));
+    else
+      return {
+          0, 0,
+          "has the law \"" + L::entry().word + "\", which bars do not; expected " + one_of(words_for_bars())};
+  };
+  e.plasticity = [](const LawParameters& p) -> const Plasticity* {
+    if constexpr (requires { L::plasticity(of_law<L>(p)); })
+      return L::plasticity(of_law<L>(p));
+    else
+      return nullptr;
+  };
+  return e;
+}
+
+template <class... L>
+std::vector<LawEntry> entries_of(LawList<L...>) {
+  return {entry_of<L>()...};
+}
+
+}  // namespace
+
+const std::vector<LawEntry>& laws() {
+  static const std::vector<LawEntry> all = entries_of(Laws{});
+  return all;
+}
+
+const KeyTable& material_keys() {
+  static const KeyTable table = [] {
+    std::string words;
+    for (const LawEntry& law : laws()) words += (words.empty() ? "\"" : ", \"") + law.entry.word + "\"";
+    return KeyTable{"[materials.NAME]",
+                    "what a body or a bar is made of",
+                    {{"law", words, "how stress follows strain", true},
+                     {"young", "a pressure", "Young's modulus", true},
+                     {"poisson", "a number", "Poisson's ratio, above -1 and below 0.5", true},
+                     {"density", "a density", "mass per volume", true}}};
+  }();
+  return table;
+}
+
+}  // namespace femsph

@@ -1,0 +1,47 @@
+#pragma once
+// A material of a scene, and the catalogue of its laws: what each says of itself, without the kernels.
+
+#include <string>
+#include <vector>
+
+#include "model/material/law.hpp"
+
+namespace femsph {
+
+/// A law as the reader of scenes, the lists and the messages see it.
+struct LawEntry {
+  Entry entry;
+  std::vector<KeyTable> tables;  ///< within the material's table
+  std::string name;              ///< in messages
+  bool large_motion_only, yields, has_bars;
+  LawParameters (*read)(Fields& fields, const LawInput& in);
+  Law (*of)(const LawParameters& parameters, const ElasticConstants& constants, Plane plane);
+  std::vector<std::string> (*effects)(const LawParameters& parameters);
+  BarYield (*bar)(const LawParameters& parameters);
+  const Plasticity* (*plasticity)(const LawParameters& parameters);
+};
+
+/// In the order of the alternatives of Law and LawParameters.
+const std::vector<LawEntry>& laws();
+
+/// The keys of [materials.NAME] whatever its law; those of the laws are in their entries.
+const KeyTable& material_keys();
+
+struct Material {
+  std::string name;
+  double young, poisson, density;  ///< Pa, 1, kg/m^3
+  LawParameters parameters = {};   ///< linear elastic unless said otherwise
+
+  /// The law of this material in that plane.
+  Law law(Plane plane) const { return entry().of(parameters, {young, poisson, density}, plane); }
+  const LawEntry& entry() const { return laws()[parameters.index()]; }
+  bool is_linear_elastic() const { return std::holds_alternative<LinearElastic::Parameters>(parameters); }
+  /// Its stress depends on the path of the strain.
+  bool yields() const { return entry().yields; }
+  /// Its von Mises plasticity; null if it has none.
+  const Plasticity* plasticity() const { return entry().plasticity(parameters); }
+  BarYield bar() const { return entry().bar(parameters); }
+  std::vector<std::string> effects() const { return entry().effects(parameters); }
+};
+
+}  // namespace femsph

@@ -1,0 +1,132 @@
+// The catalogues of laws and shapes: their words are the reader's, and what an entry says is what its law or
+// shape does.
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <set>
+
+#include "model/material/material.hpp"
+#include "model/scene/reader/reader.hpp"
+#include "model/scene/shapes/shapes.hpp"
+
+namespace femsph {
+namespace {
+
+using testing::HasSubstr;
+
+std::string scene_text(const std::string& law, const std::string& weight, const std::string& more = "") {
+  return R"([model]
+plane = "strain"
+motion = "large"
+[materials.m]
+law = )" +
+         law +
+         R"(
+young = "210 GPa"
+poisson = 0.3
+density = "7850 kg/m^3"
+[bodies.weight]
+rigid = true
+mass = "1 kg"
+)" + weight +
+         R"([bodies.beam]
+shape = "box"
+size = ["1 m", "100 mm"]
+thickness = "100 mm"
+material = "m"
+[time]
+duration = "1 ms"
+)" + more;
+}
+const std::string disc = "shape = \"disc\"\ncentre = [\"0 mm\", \"200 mm\"]\nradius = \"100 mm\"\n";
+
+std::string message_of(const std::string& text) {
+  try {
+    parse_scene(text, "scene.toml");
+  } catch (const InputError& e) {
+    return e.what();
+  }
+  return "";
+}
+
+template <class Entries>
+void expect_complete(const Entries& entries) {
+  std::set<std::string> words;
+  for (const auto& e : entries) {
+    EXPECT_TRUE(words.insert(e.entry.word).second) << e.entry.word << " twice";
+    EXPECT_FALSE(e.entry.about.empty()) << e.entry.word;
+    std::set<std::string> keys;
+    for (const Key& key : e.entry.keys) {
+      EXPECT_TRUE(keys.insert(key.name).second) << e.entry.word << ": " << key.name << " twice";
+      EXPECT_FALSE(key.holds.empty()) << e.entry.word << ": " << key.name;
+    }
+  }
+}
+
+TEST(Catalogue, WordsAndKeysAreStatedOnce) {
+  expect_complete(laws());
+  expect_complete(shapes());
+}
+
+// Entry i is of alternative i: its parameters give a law of the same index.
+TEST(Catalogue, EntriesOfLawsStandInTheOrderOfTheVariant) {
+  ASSERT_EQ(laws().size(), std::variant_size_v<Law>);
+  const std::vector<LawParameters> all = {
+      LinearElastic::Parameters{}, NeoHookean::Parameters{}, Plasticity{1e6, 0}};
+  ASSERT_EQ(laws().size(), all.size());
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    const Material m{"m", 1e9, 0.3, 1000, all[i]};
+    EXPECT_EQ(all[i].index(), i);
+    EXPECT_EQ(m.law(Plane::strain).index(), i) << laws()[i].entry.word;
+  }
+}
+
+TEST(Catalogue, MaterialsAnswerForTheirLaws) {
+  const Material elastic{"m", 1e9, 0.3, 1000}, rubber{"m", 1e9, 0.3, 1000, NeoHookean::Parameters{}},
+      metal{"m", 1e9, 0.3, 1000, Plasticity{1e6, 0}}, hard{"m", 1e9, 0.3, 1000, Plasticity{1e6, 1e7}};
+  EXPECT_TRUE(elastic.is_linear_elastic());
+  EXPECT_FALSE(rubber.is_linear_elastic() || metal.is_linear_elastic());
+  EXPECT_FALSE(elastic.yields() || rubber.yields());
+  EXPECT_TRUE(metal.yields());
+  EXPECT_EQ(rubber.plasticity(), nullptr);
+  EXPECT_TRUE(metal.plasticity()->perfect());
+  EXPECT_FALSE(hard.plasticity()->perfect());
+  EXPECT_EQ(rubber.effects(), std::vector<std::string>{"neo-Hookean law"});
+  EXPECT_TRUE(elastic.effects().empty());
+  EXPECT_EQ(hard.bar().hardening, 1e7);
+  EXPECT_EQ(rubber.bar().refusal, "");
+}
+
+TEST(Catalogue, AMisspeltWordIsAnsweredFromTheList) {
+  EXPECT_EQ(message_of(scene_text("\"neo-hookian\"", disc)),
+            "scene.toml:5:7: unknown law \"neo-hookian\"; expected \"elastic\", \"neo-hookean\" or "
+            "\"plastic\"; did "
+            "you mean \"neo-hookean\"?");
+  EXPECT_THAT(message_of(scene_text("\"elastic\"", "shape = \"quadrilatral\"\n")),
+              HasSubstr("did you mean \"quadrilateral\"?"));
+}
+
+// Contact knows the surfaces of boxes, discs and spheres; a ring would have been its bounding box.
+TEST(Catalogue, OtherShapesCannotBeRigid) {
+  EXPECT_EQ(message_of(scene_text("\"elastic\"", disc)), "");
+  EXPECT_EQ(message_of(scene_text(
+                "\"elastic\"",
+                "shape = \"ring\"\ncentre = [\"0 m\", \"1 m\"]\ninner = \"1 mm\"\nouter = \"2 mm\"\n")),
+            "scene.toml:12:9: a rigid ring of radii 1 and 2 mm; expected \"box\", \"disc\" or \"sphere\"");
+}
+
+TEST(Catalogue, BarsRefuseWhatTheirLawCannotDo) {
+  const std::string bar =
+      "[bars.rod]\nbody = \"beam\"\nfrom = [\"0 m\", \"50 mm\"]\nto = [\"1 m\", \"50 mm\"]\n"
+      "area = \"1 mm^2\"\nmaterial = \"m\"\n";
+  EXPECT_EQ(message_of(scene_text("\"neo-hookean\"", disc, bar)), "");
+  EXPECT_THAT(
+      message_of(
+          scene_text("\"plastic\"\nyield = \"1 GPa\"\njohnson_cook = {B = \"1 GPa\", n = 0.5}", disc, bar)),
+      HasSubstr("material \"m\" hardens by Johnson-Cook, which bars do not; expected \"hardening\" or "
+                "\"tangent_ratio\""));
+}
+
+}  // namespace
+}  // namespace femsph
