@@ -8,6 +8,7 @@
 #include "compare/run/capacity.hpp"
 #include "compare/run/run_output.hpp"
 #include "model/motion/conservation.hpp"
+#include "model/motion/effects/catalogue.hpp"
 #include "model/motion/mass_properties.hpp"
 
 namespace femsph::compare {
@@ -117,7 +118,7 @@ std::vector<std::pair<std::string, std::string>> derived_values(const March& mar
                                    x[0], x[1], x[2], march.scene().large_motion ? " now" : ""));
     }
   std::string effects;
-  for (const std::string& e : march.scene().effects()) effects += (effects.empty() ? "" : ", ") + e;
+  for (const std::string& e : effects_on(march.scene())) effects += (effects.empty() ? "" : ", ") + e;
   out.emplace_back("effects on", effects.empty() ? "none" : effects);
   return out;
 }

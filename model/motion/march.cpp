@@ -14,7 +14,7 @@
 #include <numeric>
 
 #include "model/motion/critical_step.hpp"
-#include "model/motion/gravity.hpp"
+#include "model/motion/effects/gravity.hpp"
 #include "model/numerics/parallel.hpp"
 #include "model/numerics/simd.hpp"
 #include "model/numerics/vectors.hpp"

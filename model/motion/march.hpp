@@ -8,11 +8,11 @@
 #include <string>
 #include <vector>
 
-#include "model/motion/contact.hpp"
+#include "model/motion/effects/contact.hpp"
 #include "model/motion/discretization.hpp"
 #include "model/motion/ledger.hpp"
 #include "model/motion/price.hpp"
-#include "model/motion/ties.hpp"
+#include "model/motion/effects/ties.hpp"
 #include "model/numerics/array.hpp"
 
 namespace femsph {

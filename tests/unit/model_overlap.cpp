@@ -8,7 +8,7 @@
 
 #include "model/motion/march.hpp"
 #include "model/motion/overlap.hpp"
-#include "model/motion/ties.hpp"
+#include "model/motion/effects/ties.hpp"
 #include "model/numerics/vectors.hpp"
 #include "model_grid.hpp"
 

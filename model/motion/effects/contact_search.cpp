@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "model/motion/contact.hpp"
+#include "model/motion/effects/contact.hpp"
 #include "model/motion/march.hpp"
 #include "model/motion/overlap.hpp"
 #include "model/numerics/box_grid.hpp"

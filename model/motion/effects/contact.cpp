@@ -1,10 +1,11 @@
-#include "model/motion/contact.hpp"
+#include "model/motion/effects/contact.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
 
+#include "model/motion/effects/catalogue.hpp"
 #include "model/motion/march.hpp"
 #include "model/numerics/parallel.hpp"
 #include "model/numerics/vectors.hpp"
@@ -256,6 +257,17 @@ void ContactPair::release(Bodies bodies, const Pass& pass, std::size_t p, Hold& 
     rub(bodies, pass, p, hold, kappa_, 0, dt, blow);
   }
   hold = {hold.piece};
+}
+
+EffectEntry contact_effect() {
+  EffectEntry e{{"contact", "bodies that press on each other where they touch (a penalty)"}};
+  e.asked_by = "[[contacts]]";
+  e.on = [](const Scene& s) {
+    return std::any_of(s.contacts.begin(), s.contacts.end(), [](const Contact& c) { return !c.tied; });
+  };
+  e.rank_off = 7;
+  e.named_off = [](const Scene& s) { return s.contacts.empty(); };
+  return e;
 }
 
 }  // namespace femsph

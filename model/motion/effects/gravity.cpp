@@ -1,7 +1,8 @@
-#include "model/motion/gravity.hpp"
+#include "model/motion/effects/gravity.hpp"
 
 #include <algorithm>
 
+#include "model/motion/effects/catalogue.hpp"
 #include "model/numerics/parallel.hpp"
 #include "model/numerics/simd.hpp"
 
@@ -83,6 +84,15 @@ double power_of_weight(const Layout& layout, std::span<const double> mass, const
       sum += part(begin, std::min(begin + chunk, layout.points));
     return sum;
   });
+}
+
+EffectEntry gravity_effect() {
+  EffectEntry e{{"gravity", "a body force m g on every point"}};
+  e.asked_by = "[gravity]";
+  e.on = [](const Scene& s) { return s.gravity.has_value(); };
+  e.outside = true;
+  e.rank_off = 8;
+  return e;
 }
 
 }  // namespace femsph
