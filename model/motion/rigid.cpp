@@ -89,11 +89,9 @@ Stand RigidBody::stand(int side, const Point& x) const {
   return s;
 }
 
-void RigidBody::load(const Scene& scene, double t) {
-  force = moment = {};
-  if (scene.gravity) force = mass * *scene.gravity;
-  for (const Load& l : scene.loads)
-    if (l.place.body == index) force = force + l.history.at(t) * l.force;
+void RigidBody::begin_forces() {
+  force = mass * gravity;
+  moment = {};
 }
 
 void RigidBody::kick(double keep, double push) {
@@ -160,6 +158,14 @@ double RigidBody::product(double keep, double push, double before, double after)
     s[c] = held_turn[c] ? 0 : before * spin[c] + after * (keep * spin[c] + push * moment[c]);
   }
   return mass * dot(velocity, v) + dot(rate(), s);
+}
+
+void RigidBody::state(Archive& archive) {
+  archive("moved", moved);
+  archive("velocity", velocity);
+  archive("spin", spin);
+  for (int a = 0; a < 3; ++a) archive("axis_" + std::to_string(a), axes[a]);
+  archive("angle", angle);
 }
 
 }  // namespace femsph

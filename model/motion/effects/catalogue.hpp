@@ -14,8 +14,8 @@
 
 namespace femsph {
 
-class Effect;
 class Fields;
+struct MadeEffect;
 struct Motion;
 
 /// Entry::word is what `check` and the record list.
@@ -29,9 +29,10 @@ struct EffectEntry : Entry {
   std::string word_off = "";                  ///< where several share one word there
   bool (*named_off)(const Scene&) = nullptr;  ///< whether it is listed there; none: where it is not on
   std::vector<std::string> (*words)(const Scene&) = nullptr;  ///< the words of one that goes by several
-  /// The march's part of it, for a scene that asks for it; none: the work is done elsewhere (in a law, a
-  /// discretization, the kick).
-  std::unique_ptr<Effect> (*make)(Motion&) = nullptr;
+  /// The march's part of it (effect.hpp); none: the work is done elsewhere (in a law, a discretization, the
+  /// kick). It is made where the effect is on, or, if `needed` is given, where that holds.
+  MadeEffect (*make)(Motion&) = nullptr;
+  bool (*needed)(const Motion&) = nullptr;
   /// Its own table of the scene (`keys` are those of that table), where the scene has no member for it.
   std::string table = "";
   std::shared_ptr<const EffectInput> (*read)(Fields& table, int dim) = nullptr;

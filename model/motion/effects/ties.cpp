@@ -3,8 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "model/motion/effects/catalogue.hpp"
-#include "model/motion/march.hpp"
+#include "model/motion/motion.hpp"
 #include "model/numerics/vectors.hpp"
 
 namespace femsph {
@@ -177,16 +176,6 @@ void Ties::match_velocities(std::vector<MovingBody>& bodies) const {
     for (int c = 0; c < dim_; ++c)
       bodies[nodes_[k].body].v[bodies[nodes_[k].body].discretization->layout().at(nodes_[k].point, c)] +=
           nodes_[k].inverse_mass[c] * impulse[k][c];
-}
-
-EffectEntry tied_bodies_effect() {
-  EffectEntry e{{"tied bodies", "bodies bonded where they touch at the start"}};
-  e.asked_by = "[[contacts]] kind = \"tied\"";
-  e.on = [](const Scene& s) {
-    return std::any_of(s.contacts.begin(), s.contacts.end(), [](const Contact& c) { return c.tied; });
-  };
-  e.rank_off = 0;
-  return e;
 }
 
 }  // namespace femsph

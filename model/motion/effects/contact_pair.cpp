@@ -1,0 +1,288 @@
+#include "model/motion/effects/contact_pair.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "model/motion/motion.hpp"
+#include "model/numerics/parallel.hpp"
+#include "model/numerics/vectors.hpp"
+
+namespace femsph {
+
+ContactPair::ContactPair(const Scene& scene, const Contact& contact, const std::array<Party, 2>& parties,
+                         const std::vector<MovingBody>& bodies)
+    : scene_(scene), contact_(contact) {
+  constexpr double share = 0.25;  // of rho c^2 / d: a contact yields like four spacings of the softer body
+  kappa_ = spacing_ = std::numeric_limits<double>::infinity();
+  double thickness = std::numeric_limits<double>::infinity();
+  for (const Party& party : parties)
+    if (!party.rigid)
+      thickness = std::min(
+          thickness, scene.dim() == 2 ? scene.bodies[bodies[party.index].index].thickness : 1.0);
+  for (int s = 0; s < 2; ++s) {
+    sides_[s].party = parties[s];
+    if (parties[s].rigid) continue;
+    const MovingBody& body = bodies[parties[s].index];
+    const Discretization& d = *body.discretization;
+    const double density = scene.material_of(scene.bodies[body.index]).density;
+    sides_[s].surface.emplace_back(body, density, thickness);
+    if (sides_[s].surface[0].facets.empty())
+      fail(fmt::format("body \"{}\" has no boundary between its points", body.name), d.position(0));
+    kappa_ = std::min(
+        kappa_, share * contact.stiffness * density * d.wave_speed() * d.wave_speed() / d.spacing());
+    spacing_ = std::min(spacing_, d.spacing());
+    wave_speed_ = std::max(wave_speed_, d.wave_speed());
+  }
+  skin_ = 0.3 * spacing_;
+  depth_ = 0.5 * spacing_;
+  overhang_ = 0.05 * spacing_;
+  slack_ = 1e-9 * spacing_;  // bodies that touch at the start do so up to rounding
+  for (int s = 0; s < 2; ++s) {
+    if (parties[s].rigid) continue;
+    const double mine = sides_[s].surface[0].facet_area(),
+                 other = parties[1 - s].rigid ? 0.0 : sides_[1 - s].surface[0].facet_area();
+    const double weight = parties[1 - s].rigid ? 1.0 : other / (mine + other);
+    passes_.push_back({s, weight, std::vector<Hold>(sides_[s].surface[0].point.size()), {}, {}, {}, {}});
+  }
+}
+
+void ContactPair::fail(const std::string& what, const Point& at) const {
+  throw MotionError(fmt::format(
+      "{}:{}:{}: contact \"{}\": {}, at ({:.6g}, {:.6g}, {:.6g}) m", scene_.file, contact_.source.line,
+      contact_.source.column, contact_.name, what, at[0], at[1], at[2]));
+}
+
+double ContactPair::add_springs(std::size_t index, const MovingBody& body,
+                                const std::vector<RigidBody>& rigids, double frequency2,
+                                AlignedVector<double>& springs) const {
+  double limit = std::numeric_limits<double>::infinity();
+  for (const Pass& pass : passes_) {
+    const Side& side = sides_[pass.from];
+    if (side.party.index != index) continue;
+    const Party& other = sides_[1 - pass.from].party;
+    const Surface& surface = side.surface[0];
+    double bound =
+        4 *
+        pass.weight;  // 2 from this pass and 2 from the other, which loads no point more than this one does
+    if (other.rigid) {
+      const RigidBody& rigid = rigids[other.index];
+      double area = 0;
+      for (const Point& a : surface.area) area += norm(a);
+      area = std::min(area, rigid.surface() * surface.thickness);
+      const double own = kappa_ * area / rigid.least_mass();  // 1/s^2
+      const double theta = own < 0.5 * frequency2 ? own / (frequency2 - own) : 1.0;
+      bound = 1 + theta;
+      if (own > 0) limit = std::min(limit, 2 / std::sqrt((1 + 1 / theta) * own));
+    }
+    const Layout& at = body.discretization->layout();
+    for (std::size_t p = 0; p < surface.point.size(); ++p)
+      for (int c = 0; c < at.dim; ++c)
+        springs[at.at(surface.point[p], c)] += bound * kappa_ *
+                                               std::min(norm(surface.area[p]), surface.area_limit[p]);
+  }
+  return limit;
+}
+
+void ContactPair::add_forces(std::vector<MovingBody>& moving, std::vector<RigidBody>& rigid, long step,
+                             double dt) {
+  const Bodies bodies{moving, rigid};
+  stored_ = 0;
+  touching_ = 0;
+  force_ = {};
+  if (step >= next_search_) search(bodies, step, dt);
+  for (Side& side : sides_)
+    if (!side.party.rigid) side.surface[0].move_active(moving[side.party.index]);
+  for (Pass& pass : passes_) {
+    pass.blows.resize(pass.points.size());
+    const auto look = [&](std::size_t begin, std::size_t end) {
+      for (std::size_t k = begin; k < end; ++k)
+        pass.blows[k] = press(bodies, pass, k, pass.holds[pass.points[k]], step, step == 0 ? 0.0 : dt);
+    };
+    parallel_for(pass.points.size(), 8, look, 16);  // one costs about as much as 16 particles of a plane body
+  }
+  for (const Pass& pass : passes_)
+    for (std::size_t k = 0; k < pass.points.size(); ++k) deal(bodies, pass, k, step);
+  if (touching_ == 0) return;
+  for (Side& side : sides_)
+    if (!side.party.rigid) side.surface[0].add_forces_to(moving[side.party.index]);
+}
+
+Stand ContactPair::stand(Bodies bodies, const Pass& pass, int piece, const Point& x) const {
+  const Side& other = sides_[1 - pass.from];
+  if (other.party.rigid) return bodies.rigid[other.party.index].stand(piece, x);
+  const Surface& surface = other.surface[0];
+  return stand_over(surface.dim, surface.corners(surface.facets[std::size_t(piece)]), x);
+}
+
+bool ContactPair::choose(Bodies bodies, const Pass& pass, std::size_t k, Hold& hold, Stand& found) const {
+  const Surface& own = sides_[pass.from].surface[0];
+  const std::size_t p = pass.points[k];
+  if (hold.piece >= 0) {  // stay on a piece until the foot leaves it: normals do not jump at edges
+    found = stand(bodies, pass, hold.piece, own.now[p]);
+    if (found.beyond <= (hold.touches ? overhang_ : 1e-6 * spacing_)) return found.gap < -slack_;
+  }
+  double nearest = std::numeric_limits<double>::infinity();
+  for (int c = pass.begin[k]; c < pass.begin[k + 1]; ++c) {
+    const Stand s = stand(bodies, pass, pass.pieces[std::size_t(c)], own.now[p]);
+    const double distance = s.gap * s.gap + s.beyond * s.beyond;
+    if (s.gap < -depth_ || distance >= nearest || dot(own.area[p], s.normal) > -0.1 * norm(own.area[p]))
+      continue;
+    nearest = distance;
+    found = s;
+    hold.piece = pass.pieces[std::size_t(c)];
+  }
+  return nearest < std::numeric_limits<double>::infinity() && found.gap < -slack_ &&
+         found.beyond <= overhang_;
+}
+
+ContactPair::Blow ContactPair::press(Bodies bodies, const Pass& pass, std::size_t k, Hold& hold, long step,
+                                     double dt) const {
+  const Surface& own = sides_[pass.from].surface[0];
+  const std::size_t p = pass.points[k];
+  Blow blow;
+  const bool inside = choose(bodies, pass, k, hold, blow.at);
+  const double area = inside ? std::min(own.area_limit[p], -dot(own.area[p], blow.at.normal)) : 0.0;
+  blow.depth = -blow.at.gap - slack_;
+  if (inside && step == 0 && blow.depth > 1e-6 * spacing_) {
+    blow.kind = Blow::Kind::overlap;
+  } else if (inside && blow.depth > depth_) {
+    blow.kind = Blow::Kind::too_deep;
+  } else if (area <= 0) {
+    release(bodies, pass, p, hold, dt, blow);
+  } else {
+    const double stiffness = pass.weight * kappa_ * area, pressing = stiffness * blow.depth;
+    blow.kind = Blow::Kind::press;
+    blow.force = pressing * blow.at.normal;
+    blow.stored = 0.5 * stiffness * blow.depth * blow.depth;
+    hold.touches = true;
+    if (contact_.friction > 0) rub(bodies, pass, p, hold, stiffness, pressing, dt, blow);
+  }
+  return blow;
+}
+
+void ContactPair::deal(Bodies bodies, const Pass& pass, std::size_t k, long step) {
+  const Blow& blow = pass.blows[k];
+  loss_ += blow.slip;
+  if (blow.kind == Blow::Kind::none) return;
+  Surface& own = sides_[pass.from].surface[0];
+  const std::size_t p = pass.points[k];
+  if (blow.kind == Blow::Kind::overlap)
+    fail(fmt::format("the bodies overlap by {:.4g} mm at the start; expected them apart or touching",
+                     1e3 * blow.depth),
+         own.now[p]);
+  if (blow.kind == Blow::Kind::too_deep)
+    fail(fmt::format("a point went {:.4g} mm deep at step {}, more than half a spacing; raise its stiffness, "
+                     "or take a finer spacing",
+                     1e3 * blow.depth, step),
+         own.now[p]);
+  stored_ += blow.stored;
+  deepest_ = std::max(deepest_, blow.depth);
+  ++touching_;
+  own.force[p] = own.force[p] + blow.force;
+  force_ = force_ + (pass.from == 1 ? 1.0 : -1.0) * blow.force;
+  react(bodies, pass, pass.holds[p].piece, blow.at, own.now[p], blow.force);
+}
+
+/// Force of friction on the point. The stretch follows the sliding; what goes beyond mu f / k is slip, which
+/// takes the mean of the old and the new pull times the slip (so the ledger closes).
+void ContactPair::rub(Bodies bodies, const Pass& pass, std::size_t p, Hold& hold, double k, double pressing,
+                      double dt, Blow& blow) const {
+  const Side &own = sides_[pass.from], &other = sides_[1 - pass.from];
+  const Stand& at = blow.at;
+  Point sliding = own.surface[0].velocity(bodies.moving[own.party.index], p);
+  if (other.party.rigid) {
+    sliding = sliding - bodies.rigid[other.party.index].velocity_at(own.surface[0].now[p]);
+  } else {
+    const Surface& surface = other.surface[0];
+    const Facet& f = surface.facets[std::size_t(hold.piece)];
+    for (int c = 0; c < 2 * (surface.dim - 1); ++c)
+      sliding = sliding - at.share[c] * surface.velocity(bodies.moving[other.party.index], f.points[c]);
+  }
+  Point stretch = hold.stretch + dt * sliding;
+  stretch = stretch - dot(stretch, at.normal) * at.normal;
+  const Point trial = stretch;
+  const double length = norm(trial), most = contact_.friction * pressing;
+  if (k * length > most) stretch = (most / (k * length)) * trial;
+  const Point pull = k * stretch;
+  blow.slip += 0.5 * dot(hold.pull + pull, trial - stretch);
+  hold.stretch = stretch;
+  hold.pull = pull;
+  blow.stored += 0.5 * dot(pull, stretch);
+  blow.force = blow.force - pull;
+}
+
+/// The opposite of `force`, which acts at x: on a rigid body there, on a facet at the foot. What x lies
+/// beside the foot's line of force (friction acts a depth g below the facet) is a moment m = (x - foot) x
+/// force; forces c_a n on the facet's points restore it, with sum c_a = 0 and sum c_a (x_a x n) = m, least in
+/// square.
+void ContactPair::react(Bodies bodies, const Pass& pass, int piece, const Stand& at, const Point& x,
+                        const Point& force) {
+  Side& other = sides_[1 - pass.from];
+  if (other.party.rigid) return bodies.rigid[other.party.index].push(x, -1.0 * force);
+  Surface& surface = other.surface[0];
+  const Facet& f = surface.facets[std::size_t(piece)];
+  const int corners = 2 * (surface.dim - 1);
+  for (int c = 0; c < corners; ++c)
+    surface.force[f.points[c]] = surface.force[f.points[c]] - at.share[c] * force;
+  if (contact_.friction == 0) return;
+  const Point wanted = cross(at.normal, cross(x - at.foot, -1.0 * force));  // sum c_a x_a, along the facet
+  Point middle{};
+  for (int c = 0; c < corners; ++c) middle = middle + (1.0 / corners) * surface.now[f.points[c]];
+  Point a = surface.now[f.points[1]] - surface.now[f.points[0]];
+  a = a - dot(a, at.normal) * at.normal;
+  a = (1 / norm(a)) * a;
+  const Point b = cross(at.normal, a);
+  double aa = 0, ab = 0, bb = surface.dim == 2 ? 1.0 : 0.0;
+  for (int c = 0; c < corners; ++c) {
+    const Point d = surface.now[f.points[c]] - middle;
+    aa += dot(d, a) * dot(d, a);
+    ab += dot(d, a) * dot(d, b);
+    bb += dot(d, b) * dot(d, b);
+  }
+  const double wa = dot(wanted, a), wb = dot(wanted, b), det = aa * bb - ab * ab;
+  const Point slope = ((bb * wa - ab * wb) / det) * a + ((aa * wb - ab * wa) / det) * b;
+  for (int c = 0; c < corners; ++c)
+    surface.force[f.points[c]] = surface.force[f.points[c]] +
+                                 dot(slope, surface.now[f.points[c]] - middle) * at.normal;
+}
+
+/// A point that lifts off slips by all that its friction spring still held.
+void ContactPair::release(Bodies bodies, const Pass& pass, std::size_t p, Hold& hold, double dt,
+                          Blow& blow) const {
+  if (dot(hold.pull, hold.pull) > 0) {
+    blow.at = stand(bodies, pass, hold.piece, sides_[pass.from].surface[0].now[p]);
+    rub(bodies, pass, p, hold, kappa_, 0, dt, blow);
+  }
+  hold = {hold.piece};
+}
+
+/// Forces and depths of now follow from the points; what points remember and which pieces they look at does
+/// not.
+void ContactPair::state(Archive& archive) {
+  archive("next_search", next_search_);
+  archive("friction_loss", loss_);
+  archive("deepest", deepest_);
+  archive("touching", touching_);  // the next step looks whether anything did
+  for (std::size_t s = 0; s < sides_.size(); ++s)
+    for (Surface& surface : sides_[s].surface)
+      archive.below("side_" + std::to_string(s), [&] {
+        archive("now", surface.now);
+        archive("area", surface.area);
+        archive("active", surface.active);
+      });
+  for (std::size_t k = 0; k < passes_.size(); ++k)
+    archive.below("pass_" + std::to_string(k), [&] {
+      Pass& pass = passes_[k];
+      archive("points", pass.points);
+      archive("begin", pass.begin);
+      archive("pieces", pass.pieces);
+      archive.each("piece", pass.holds, &Hold::piece);
+      archive.each("touches", pass.holds, &Hold::touches);
+      archive.each("stretch", pass.holds, &Hold::stretch);
+      archive.each("pull", pass.holds, &Hold::pull);
+    });
+}
+
+}  // namespace femsph
