@@ -63,9 +63,8 @@ class Drag : public Effect {
 }  // namespace
 
 EffectEntry drag_effect() {
-  EffectEntry e{{"drag",
-                 "a force -k v on each body that deforms",
-                 {{"coefficient", "a drag coefficient", "k", true}}}};
+  EffectEntry e{
+      {"drag", "a force -k v on each body that deforms", {{"coefficient", "a drag coefficient", "k", true}}}};
   e.asked_by = "[drag]";
   e.on = [](const Scene& s) { return input_of<DragInput>(s, "drag") != nullptr; };
   e.outside = true;
@@ -73,7 +72,8 @@ EffectEntry drag_effect() {
   e.read = [](Fields& fields, int) -> std::shared_ptr<const EffectInput> {
     auto input = std::make_shared<DragInput>();
     static constexpr Dimension coefficient{"kg/s", "a drag coefficient", "10 kg/s"};
-    input->coefficient = fields.quantity("coefficient", Need::required, coefficient, Sign::positive).value_or(1);
+    input->coefficient =
+        fields.quantity("coefficient", Need::required, coefficient, Sign::positive).value_or(1);
     return input;
   };
   e.make = make_effect<Drag>;
