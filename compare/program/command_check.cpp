@@ -5,6 +5,7 @@
 
 #include "compare/program/commands.hpp"
 #include "compare/run/capacity.hpp"
+#include "model/motion/effects/catalogue.hpp"
 #include "model/motion/mass_properties.hpp"
 #include "model/motion/price.hpp"
 #include "model/numerics/parallel.hpp"
@@ -48,25 +49,6 @@ std::string effects_line(const std::vector<std::string>& on) {
   return text.empty() ? "none" : text;
 }
 
-/// Every effect of a scene that this one does not ask for.
-std::string effects_off(const Scene& scene) {
-  std::string text;
-  const auto off = [&](bool on, const char* name) {
-    if (!on) text += (text.empty() ? "" : ", ") + std::string(name);
-  };
-  off(scene.large_motion, "finite rotation");
-  off(!scene.symmetries.empty(), "symmetry");
-  off(!scene.bars.empty(), "bars");
-  off(scene.is_plastic(), "plasticity");
-  off(!scene.initial_velocities.empty(), "initial velocity");
-  off(!scene.initial_displacements.empty(), "initial displacement");
-  off(!scene.contacts.empty(), "contact");
-  off(scene.gravity.has_value(), "gravity");
-  off(scene.damping.has_value(), "damping");
-  off(scene.settling.has_value(), "settling");
-  return text.empty() ? "none" : text;
-}
-
 /// Seconds of CPU for one step, from some tenths of a second of them.
 double seconds_per_step(const Scene& scene, const Method& method, const Resolution& resolution,
                         const MarchOptions& options, double step, std::size_t units) {
@@ -88,8 +70,8 @@ int check_command(const RunCommand& command) {
   checked_safety(command.safety);
   const Scene scene = read_scene(command.scene);
   print_scene(scene);
-  fmt::print("  {:<24} {}\n", "effects on", effects_line(scene.effects()));
-  fmt::print("  {:<24} {}\n", "effects off", effects_off(scene));
+  fmt::print("  {:<24} {}\n", "effects on", effects_line(effects_on(scene)));
+  fmt::print("  {:<24} {}\n", "effects off", effects_line(effects_off(scene)));
   if (command.solver.empty()) {
     for (const std::string& text : scene.warnings) print_warning(text);
     fmt::print("for particles or elements, step, memory and time, add --solver and --spacing\n");

@@ -8,6 +8,7 @@
 #include "compare/run/capacity.hpp"
 #include "compare/run/run_output.hpp"
 #include "model/motion/conservation.hpp"
+#include "model/motion/effects/catalogue.hpp"
 #include "model/motion/mass_properties.hpp"
 
 namespace femsph::compare {
@@ -80,20 +81,8 @@ std::vector<std::pair<std::string, std::string>> derived_values(const March& mar
     out.emplace_back(
         "body " + body.name, fmt::format("rigid {}, {}", body.shape->describe(),
                                          to_text({body.mass, body.shape->centroid()}, march.scene().dim())));
-  for (const ContactPair& pair : march.contacts()) {
-    out.emplace_back(
-        "contact " + pair.contact().name,
-        fmt::format("penalty {:.4g} Pa/m, friction {:g}", pair.stiffness(), pair.contact().friction));
-    if (march.step() > 0)
-      out.emplace_back(
-          pair.contact().name + " depth",
-          fmt::format("{:.4g} m at most, {:.3g} of the spacing", pair.deepest(), pair.deepest_share()));
-  }
-  for (const Ties::Bond& bond : march.ties().bonds())
-    out.emplace_back("contact " + bond.contact->name,
-                     fmt::format("{} points of {} tied to facets of {}", bond.end - bond.begin,
-                                 march.bodies()[bond.from].name, march.bodies()[bond.onto].name));
-  if (!march.contacts().empty())
+  for (const Effect* effect : march.effects().all()) effect->describe(march.motion(), out);
+  if (march.bounded_by_effects())
     out.emplace_back("contact shortens the step",
                      fmt::format("by {:.1f} %",
                                  100 * (1 - march.critical_step() / march.critical_step_without_contact())));
@@ -117,7 +106,7 @@ std::vector<std::pair<std::string, std::string>> derived_values(const March& mar
                                    x[0], x[1], x[2], march.scene().large_motion ? " now" : ""));
     }
   std::string effects;
-  for (const std::string& e : march.scene().effects()) effects += (effects.empty() ? "" : ", ") + e;
+  for (const std::string& e : effects_on(march.scene())) effects += (effects.empty() ? "" : ", ") + e;
   out.emplace_back("effects on", effects.empty() ? "none" : effects);
   return out;
 }

@@ -43,30 +43,17 @@ void add_inertia(const March& march, const MovingBody& body, Sum& sum) {
   }
 }
 
-void add_loads(const March& march, const MovingBody& body, Sum& sum) {
-  const Scene& scene = march.scene();
-  const Layout& at = body.discretization->layout();
-  Point nodal{};
-  for (const MovingBody::NodalLoad& load : body.loads) {
-    const auto [point, c] = component_of(at, load.slot);
-    Point f{};
-    f[c] = load.force * scene.loads[load.load].history.at(march.time());
-    sum.add(place_of(march, body, point), f, -1);
-    if (scene.loads[load.load].pressure == 0) nodal = nodal + f;
-  }
-  for (const Load& load :
-       scene.loads)  // the total that the scene gives, where the shares do not add up to it
-    if (load.place.body == body.index && load.pressure == 0)
-      nodal = nodal - load.history.at(march.time()) * load.force;
-  sum.force = sum.force + nodal;
-  if (!scene.gravity) return;
-  for (std::size_t i = 0; i < at.points; ++i) {
-    Point g = body.discretization->mass()[i] * *scene.gravity;
-    sum.add(place_of(march, body, i), g, -1);
+void add_outside_forces(const March& march, const MovingBody& body, Sum& sum) {
+  for (const Effect* effect : march.effects().all()) {
+    effect->each_force(march.motion(), body, [&](std::size_t point, const Point& f) {
+      sum.add(place_of(march, body, point), f, -1);
+    });
+    // The total that the scene gives, where the shares do not add up to it.
+    sum.force = sum.force + effect->excess_force(march.motion(), body);
   }
 }
 
-void add_rigid(const RigidBody& body, const Scene& scene, double time, Sum& sum) {
+void add_rigid(const March& march, const RigidBody& body, Sum& sum) {
   const Point x = body.centre();
   Point left{}, held{}, turning{};
   for (int c = 0; c < 3; ++c) {
@@ -77,9 +64,9 @@ void add_rigid(const RigidBody& body, const Scene& scene, double time, Sum& sum)
   sum.add(x, held, 1);  // less the reaction, which is its opposite
   sum.add_couple(turning, 1);
   sum.add_couple(body.moment - turning, 1);
-  if (scene.gravity) sum.add(x, body.mass * *scene.gravity, -1);
-  for (const Load& load : scene.loads)
-    if (load.place.body == body.index) sum.add(x, load.history.at(time) * load.force, -1);
+  sum.add(x, body.mass * body.gravity, -1);
+  for (const Effect* effect : march.effects().all())
+    effect->each_force_on_rigid(march.motion(), body, [&](const Point& f) { sum.add(x, f, -1); });
 }
 
 }  // namespace
@@ -109,18 +96,18 @@ Balance balance(const March& march, const std::vector<Reaction>& reactions) {
   Sum sum;
   for (const MovingBody& body : march.bodies()) {
     add_inertia(march, body, sum);
-    add_loads(march, body, sum);
-    for (const MovingBody::MeanHold& hold : body.means)
-      for (std::size_t k = 0; k < hold.slots.size(); ++k) {
-        const auto [point, c] = component_of(body.discretization->layout(), hold.slots[k]);
+    add_outside_forces(march, body, sum);
+    for (const Effect* effect : march.effects().all())
+      effect->each_reaction(march.motion(), body, [&](std::size_t slot, double reaction) {
+        const auto [point, c] = component_of(body.discretization->layout(), slot);
         Point f{};
-        f[c] = hold.reaction * hold.weights[k];
+        f[c] = reaction;
         sum.add(place_of(march, body, point), f, -1);
-      }
+      });
   }
   for (const Reaction& reaction : reactions)
     for (const auto& [x, f] : reaction.forces(march)) sum.add(x, f, -1);
-  for (const RigidBody& body : march.rigid_bodies()) add_rigid(body, scene, march.time(), sum);
+  for (const RigidBody& body : march.rigid_bodies()) add_rigid(march, body, sum);
   std::array<bool, 3> mirrored{};
   for (const Symmetry& plane : scene.symmetries) mirrored[plane.axis()] = true;
   Point force = sum.force, moment = sum.moment;
@@ -130,7 +117,8 @@ Balance balance(const March& march, const std::vector<Reaction>& reactions) {
   }
   Balance out;
   if (sum.size > 0) out.force = norm(force) / sum.size;
-  const bool apart = !scene.large_motion && (!march.contacts().empty() || !march.rigid_bodies().empty());
+  const bool apart = !scene.large_motion &&
+                     (march.effects().bodies_may_part() || !march.rigid_bodies().empty());
   if (sum.moment_size > 0 && !apart) out.moment = norm(moment) / sum.moment_size;
   return out;
 }

@@ -9,9 +9,7 @@
 namespace femsph {
 
 Conservation::Conservation(const March& march) {
-  const Scene& scene = march.scene();
-  free_ = scene.loads.empty() && scene.supports.empty() && scene.symmetries.empty() && !scene.gravity &&
-          !scene.damping && !scene.settling;
+  free_ = !pushed_from_outside(march.scene());
   double mass = 0;
   const auto add = [&](const Point& x, double m) {
     mass += m;

@@ -17,7 +17,8 @@ struct Drift {
       0;  ///< largest hourglass energy over the largest internal energy (strain, hourglass, plastic work)
 };
 
-/// Looks at a march at its samples. In a scene without loads, gravity and supports the momenta are those of
+/// Looks at a march at its samples. In a scene that nothing outside pushes on
+/// (EffectEntry::outside) the momenta are those of
 /// all bodies at a whole step and their drift is the largest change since the start over the largest sum of
 /// magnitudes, sum m |v| and sum m |x - x0||v| (x0: the centre of mass at the start). Else the outside pushes
 /// too, and what tells is whether the internal forces of each body add up to zero: the largest

@@ -35,14 +35,6 @@ namespace femsph {
 
 namespace {
 
-/// The time after which a history no longer changes.
-double last_change(const TimeHistory& h) {
-  double t = 0;
-  for (std::size_t k = 1; k < h.factor.size(); ++k)
-    if (h.factor[k] != h.factor[k - 1]) t = h.time[k];
-  return t;
-}
-
 /// part(slot) over all slots, to the same bits on any number of threads.
 template <class Part>
 double sum_over(const MovingBody& body, Part&& part) {
@@ -53,61 +45,53 @@ double sum_over(const MovingBody& body, Part&& part) {
   });
 }
 
-double force_at(const MovingBody& body, std::size_t i) {
-  return body.viscous.empty() ? body.f[i] : body.f[i] + body.viscous[i];
-}
-
-double size(const Point& p) { return std::abs(p[0]) + std::abs(p[1]) + std::abs(p[2]); }
-
 }  // namespace
 
 void March::settle(const Ledger& l) {
   double inertia = 0, accelerated = 0, left = 0, reactions = 0, loads = 0;  // u.Mu, a.Ma, sums of magnitudes
-  for (const MovingBody& body : bodies_) {
+  for (const MovingBody& body : motion_.bodies) {
     inertia += sum_over(body, [&](std::size_t i) { return body.mass[i] * body.u[i] * body.u[i]; });
     accelerated += sum_over(
-        body, [&](std::size_t i) { return body.inverse_mass[i] * force_at(body, i) * force_at(body, i); });
+        body, [&](std::size_t i) { return body.inverse_mass[i] * body.force(i) * body.force(i); });
     left += sum_over(
-        body, [&](std::size_t i) { return body.inverse_mass[i] == 0 ? 0.0 : std::abs(force_at(body, i)); });
+        body, [&](std::size_t i) { return body.inverse_mass[i] == 0 ? 0.0 : std::abs(body.force(i)); });
     const Layout& at = body.discretization->layout();
     for (std::size_t k = 0; k < body.held.size(); ++k) {
       const auto& [point, component, hold] = body.held[k];
       if (k == 0 || body.held[k - 1].point != point || body.held[k - 1].component != component)
         reactions += std::abs(reaction(body, at.at(point, component)));
     }
-    for (const MovingBody::MeanHold& hold : body.means)
-      for (const double w : hold.weights) reactions += std::abs(hold.reaction * w);
-    for (const MovingBody::NodalLoad& load : body.loads)
-      loads += std::abs(load.force * scene_.loads[load.load].history.at(time()));
-    if (scene_.gravity)
-      for (const double m : body.discretization->mass()) loads += m * size(*scene_.gravity);
+    for (const Effect* effect : effects_.all()) {
+      effect->each_reaction(motion_, body, [&](std::size_t, double f) { reactions += std::abs(f); });
+      effect->size_on_body(motion_, body, loads);
+    }
   }
-  for (const RigidBody& body : rigid_) {
+  for (const RigidBody& body : motion_.rigid) {
     for (int c = 0; c < 3; ++c) {
       inertia += body.mass * body.moved[c] * body.moved[c];
       (body.held[c] ? reactions : left) += std::abs(body.force[c]);
       if (!body.held_turn[c]) left += std::abs(body.moment[c]) / body.reach();
     }
-    if (scene_.gravity) loads += body.mass * size(*scene_.gravity);
-    for (const Load& load : scene_.loads)
-      if (load.place.body == body.index) loads += std::abs(load.history.at(time())) * size(load.force);
+    loads += body.mass * sum_of_magnitudes(body.gravity);
+    for (const Effect* effect : effects_.all()) effect->size_on_rigid(motion_, body, loads);
   }
   const double stored = l.strain + l.hourglass;
   const double omega = inertia > 0 ? std::sqrt(2 * stored / inertia)
-                                   : 0.0;            // Rayleigh quotient of the motion itself
-  if (adaptive_damping_) damping_rate_ = 2 * omega;  // critical for the slowest mode
+                                   : 0.0;                   // Rayleigh quotient of the motion itself
+  if (adaptive_damping_) motion_.damping_rate = 2 * omega;  // critical for the slowest mode
   if (loads == 0) force_scale_ = std::max({force_scale_, reactions, left});  // the largest so far
   const double scale = loads > 0 ? loads : force_scale_;
   const auto share = [](double part, double whole) { return part == 0 ? 0.0 : part / whole; };
   unrest_.force = share(left, scale);
-  unrest_.displacement = contacts_.empty() && rigid_.empty()
+  unrest_.displacement = !effects_.bodies_may_part() && motion_.rigid.empty()
                              ? share(std::sqrt(accelerated), omega * omega * std::sqrt(inertia))
                              : 0.0;
   unrest_.motion = std::sqrt(share(l.kinetic, stored + l.contact));
-  unrest_.loads_change = std::any_of(scene_.loads.begin(), scene_.loads.end(), [&](const Load& load) {
-    return last_change(load.history) > time() + 0.5 * dt_;
+  const double after = time() + 0.5 * motion_.dt;
+  unrest_.loads_change = std::any_of(effects_.all().begin(), effects_.all().end(), [&](const Effect* effect) {
+    return effect->changes_after(after);
   });
-  const double tolerated = scene_.settling->tolerance;
+  const double tolerated = motion_.scene.settling->tolerance;
   const bool still = unrest_.force <= tolerated && unrest_.displacement <= tolerated &&
                      unrest_.motion <= tolerated && !unrest_.loads_change;
   if (!still)
@@ -120,13 +104,13 @@ void March::settle(const Ledger& l) {
 
 void March::say_what_did_not_settle() {
   const double worst = std::max({unrest_.force, unrest_.displacement, unrest_.motion}),
-               tolerated = scene_.settling->tolerance;
+               tolerated = motion_.scene.settling->tolerance;
   std::string advice = "give it more time ([time] duration)";
   if (unrest_.loads_change)
     advice = "a load still changes: let its history end earlier, or give a longer [time] duration";
   else if (worst < 10 * tolerated)
     advice += ", or a larger [settling] tolerance";
-  const bool to_come = contacts_.empty() && rigid_.empty();
+  const bool to_come = !effects_.bodies_may_part() && motion_.rigid.empty();
   warnings_.push_back(fmt::format(
       "not settled within {:g} s: the forces out of balance are still {:.2g} of the loads, {}what moves "
       "{:.2g} of the displacement, for a tolerance of "
@@ -140,22 +124,25 @@ void March::say_what_did_not_settle() {
 /// say.
 bool March::past_kinetic_peak() const {
   double gain = 0;
-  for (const MovingBody& body : bodies_)
+  for (const MovingBody& body : motion_.bodies)
     gain += sum_over(body, [&](std::size_t i) {
-      const double w = body.inverse_mass[i], f = force_at(body, i);
-      return w == 0 ? 0.0 : f * (2 * body.v[i] + dt_ * w * f);
+      const double w = body.inverse_mass[i], f = body.force(i);
+      return w == 0 ? 0.0 : f * (2 * body.v[i] + motion_.dt * w * f);
     });
-  for (const RigidBody& body : rigid_)
-    gain += (body.product(1, dt_, 0, 2) - body.product(1, dt_, 2, 0) + body.energy_of_kick(1, dt_)) / dt_;
+  for (const RigidBody& body : motion_.rigid)
+    gain += (body.product(1, motion_.dt, 0, 2) - body.product(1, motion_.dt, 2, 0) +
+             body.energy_of_kick(1, motion_.dt)) /
+            motion_.dt;
   return gain < 0;
 }
 
 double March::work_of_the_step() const {
   double work = 0;
-  for (const MovingBody& body : bodies_)
+  for (const MovingBody& body : motion_.bodies)
     work += sum_over(body, [&](std::size_t i) { return body.v[i] * body.f[i]; });
-  for (const RigidBody& body : rigid_) work += dot(body.velocity, body.force) + dot(body.rate(), body.moment);
-  return 0.5 * dt_ * work;
+  for (const RigidBody& body : motion_.rigid)
+    work += dot(body.velocity, body.force) + dot(body.rate(), body.moment);
+  return 0.5 * motion_.dt * work;
 }
 
 /// In place of a kick. What the motion had is lost, and so is what the way back gains.
@@ -163,29 +150,29 @@ void March::go_back_half_a_step() {
   const Kinetic k = kinetic();
   damping_loss_ += k.energy + k.damping;
   viscous_loss_ += k.viscosity;
-  for (MovingBody& body : bodies_)
+  for (MovingBody& body : motion_.bodies)
     for (double& v : body.v) v *= -0.5;
-  for (RigidBody& body : rigid_) body.velocity = -0.5 * body.velocity, body.spin = -0.5 * body.spin;
+  for (RigidBody& body : motion_.rigid) body.velocity = -0.5 * body.velocity, body.spin = -0.5 * body.spin;
   damping_loss_ += work_of_the_step();
-  const double dt = dt_;
-  for (MovingBody& body : bodies_) {
+  const double dt = motion_.dt;
+  for (MovingBody& body : motion_.bodies) {
     double *u = body.u.data(), *v = body.v.data();
     parallel_for(body.u.size(), 512, [=](std::size_t begin, std::size_t end) {
       for (std::size_t i = begin; i < end; ++i) u[i] += dt * v[i];
     });
   }
-  for (RigidBody& body : rigid_) body.drift(dt_);
-  count_work_of_loads();
+  for (RigidBody& body : motion_.rigid) body.drift(motion_.dt);
+  work_of_outside();
   going_back_ = true;
 }
 
 void March::start_again_from_rest() {
   damping_loss_ += work_of_the_step();
-  const auto [keep, push] = leap(dt_);
-  for (MovingBody& body : bodies_)
+  const auto [keep, push] = motion_.leap(motion_.dt);
+  for (MovingBody& body : motion_.bodies)
     for (std::size_t i = 0; i < body.v.size(); ++i)
-      body.v[i] = -push / (1 + keep) * body.inverse_mass[i] * force_at(body, i);
-  for (RigidBody& body : rigid_) {
+      body.v[i] = -push / (1 + keep) * body.inverse_mass[i] * body.force(i);
+  for (RigidBody& body : motion_.rigid) {
     body.velocity = body.spin = {};
     body.start_from(keep, push);
   }

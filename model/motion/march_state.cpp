@@ -6,15 +6,15 @@
 namespace femsph {
 
 void March::state(Archive& archive) {
-  archive("step", step_);
-  archive("dt", dt_);
+  archive("step", motion_.step);
+  archive("dt", motion_.dt);
   archive.below("step control", [&] {
-    archive("first", price_.dt);
+    archive("first", motion_.price.dt);
     archive("critical", critical_now_);
-    archive("next", next_dt_);
+    archive("next", motion_.next_dt);
     archive("smallest", smallest_step_);
-    archive("since_time", since_time_);
-    archive("since_step", since_step_);
+    archive("since_time", motion_.since_time);
+    archive("since_step", motion_.since_step);
     archive("changes", step_changes_);
     archive("seen_share", seen_share_);
     archive("seen_step", seen_step_);
@@ -31,7 +31,7 @@ void March::state(Archive& archive) {
       });
   });
   archive("settled", settled_);
-  archive("damping_rate", damping_rate_);
+  archive("damping_rate", motion_.damping_rate);
   archive("still_since", still_since_);
   archive("going_back", going_back_);
   archive("force_scale", force_scale_);
@@ -46,51 +46,14 @@ void March::state(Archive& archive) {
     archive("start_damping", start_damping_);
     archive("start_viscosity", start_viscosity_);
   });
-  for (MovingBody& body : bodies_)
+  for (MovingBody& body : motion_.bodies)
     archive.below("body " + body.name, [&] {
       archive("u", body.u);
       archive("v", body.v);
       body.discretization->state(archive);
     });
-  for (RigidBody& body : rigid_) archive.below("body " + body.name, [&] { body.state(archive); });
-  for (ContactPair& contact : contacts_)
-    archive.below("contact " + contact.contact().name, [&] { contact.state(archive); });
-  if (!ties_.empty()) archive.below("ties", [&] { ties_.state(archive); });
-}
-
-void RigidBody::state(Archive& archive) {
-  archive("moved", moved);
-  archive("velocity", velocity);
-  archive("spin", spin);
-  for (int a = 0; a < 3; ++a) archive("axis_" + std::to_string(a), axes[a]);
-  archive("angle", angle);
-}
-
-/// Forces and depths of now follow from the points; what points remember and which pieces they look at does
-/// not.
-void ContactPair::state(Archive& archive) {
-  archive("next_search", next_search_);
-  archive("friction_loss", loss_);
-  archive("deepest", deepest_);
-  archive("touching", touching_);  // the next step looks whether anything did
-  for (std::size_t s = 0; s < sides_.size(); ++s)
-    for (Surface& surface : sides_[s].surface)
-      archive.below("side_" + std::to_string(s), [&] {
-        archive("now", surface.now);
-        archive("area", surface.area);
-        archive("active", surface.active);
-      });
-  for (std::size_t k = 0; k < passes_.size(); ++k)
-    archive.below("pass_" + std::to_string(k), [&] {
-      Pass& pass = passes_[k];
-      archive("points", pass.points);
-      archive("begin", pass.begin);
-      archive("pieces", pass.pieces);
-      archive.each("piece", pass.holds, &Hold::piece);
-      archive.each("touches", pass.holds, &Hold::touches);
-      archive.each("stretch", pass.holds, &Hold::stretch);
-      archive.each("pull", pass.holds, &Hold::pull);
-    });
+  for (RigidBody& body : motion_.rigid) archive.below("body " + body.name, [&] { body.state(archive); });
+  for (Effect* effect : effects_.all()) effect->state(archive);
 }
 
 }  // namespace femsph

@@ -42,23 +42,23 @@ void March::plan() {
   planned_ = planned_steps();
   const auto rhythm = [&](int count) {
     const long every = count > 0 ? std::max(1L, planned_ / count) : planned_ + 1;
-    return Rhythm{double(every) * dt_, 0};
+    return Rhythm{double(every) * motion_.dt, 0};
   };
-  samples_ = rhythm(scene_.samples);
-  snapshots_ = rhythm(scene_.snapshots);
+  samples_ = rhythm(motion_.scene.samples);
+  snapshots_ = rhythm(motion_.scene.snapshots);
   watch_every_ = std::clamp(planned_ / 300, 25L, 1000L);
 }
 
 void March::follow_deformation() {
   std::size_t touching = 0;
-  for (const ContactPair& contact : contacts_) touching += contact.touching();
+  for (const Effect* effect : effects_.all()) touching += effect->touching();
   const bool hit = touching_ == 0 && touching > 0;
   touching_ = touching;
-  if ((step_ < next_estimate_ && !hit) || (step_ > 0 && step_ >= planned_)) return;
-  PhaseTimer timer(price_, "step control");
+  if ((motion_.step < next_estimate_ && !hit) || (motion_.step > 0 && motion_.step >= planned_)) return;
+  PhaseTimer timer(motion_.price, "step control");
   Stiffening most;
   const MovingBody* stiffest = nullptr;
-  for (const MovingBody& body : bodies_)
+  for (const MovingBody& body : motion_.bodies)
     if (auto s = body.discretization->stiffening(body.u.data()); s && !(s->ratio <= most.ratio))
       most = *s, stiffest = &body;
   if (!std::isfinite(most.ratio)) look_at_units();
@@ -66,11 +66,12 @@ void March::follow_deformation() {
   // As long as the stable step changes as fast as it did (it may turn), it changes by half of what the safety
   // factor leaves until the next estimate.
   const double allowed = std::clamp(0.5 * (1 / safety_ - 1), 0.005, 0.05);
-  const double rate = std::abs(std::log(seen_share_ / share)) / double(std::max(1L, step_ - seen_step_));
+  const double rate = std::abs(std::log(seen_share_ / share)) /
+                      double(std::max(1L, motion_.step - seen_step_));
   const long wait = rate > 0 ? long(std::min(double(longest_wait), allowed / rate)) : longest_wait;
-  next_estimate_ = step_ + std::clamp(wait, 1L, std::max(1L, 2 * (step_ - seen_step_)));
+  next_estimate_ = motion_.step + std::clamp(wait, 1L, std::max(1L, 2 * (motion_.step - seen_step_)));
   seen_share_ = share;
-  seen_step_ = step_;
+  seen_step_ = motion_.step;
   critical_now_ = share * critical_;
   const auto where = [&] {
     return stiffest ? fmt::format("body \"{}\", {} at ({:.6g}, {:.6g}, {:.6g}) m", stiffest->name, most.unit,
@@ -85,25 +86,25 @@ void March::follow_deformation() {
          "the load is more than this discretization can follow: try a gentler load, other divisions there, a "
          "finer spacing, or a stronger material");
   if (given_step_) {
-    if (dt_ > (1 + 1e-9) * critical_now_)
+    if (motion_.dt > (1 + 1e-9) * critical_now_)
       fail(Stopped::Watch::step, where(),
            fmt::format(
-               "the step of {:.4g} s is over the limit: deformed as it is now, the body bears {:.4g} s", dt_,
-               critical_now_),
+               "the step of {:.4g} s is over the limit: deformed as it is now, the body bears {:.4g} s",
+               motion_.dt, critical_now_),
            fmt::format("march without --step, and the step follows the deformation, or with --step {:.2g}",
                        0.8 * critical_now_));
     return;
   }
   const double limit = safety_ * critical_now_;
-  if (dt_ > (1 + 1e-9) * limit)
-    next_dt_ = reserve * limit;  // round-off of an undeformed body is no deformation
-  if (step_ == 0) dt_ = price_.dt = smallest_step_ = next_dt_;
+  if (motion_.dt > (1 + 1e-9) * limit)
+    motion_.next_dt = reserve * limit;  // round-off of an undeformed body is no deformation
+  if (motion_.step == 0) motion_.dt = motion_.price.dt = smallest_step_ = motion_.next_dt;
 }
 
 void March::change_step() {
   const Kinetic before = kinetic();
-  const Leap over = leap(0.5 * (dt_ + next_dt_)), then = leap(next_dt_);
-  for (MovingBody& body : bodies_) {
+  const Leap over = motion_.leap(0.5 * (motion_.dt + motion_.next_dt)), then = motion_.leap(motion_.next_dt);
+  for (MovingBody& body : motion_.bodies) {
     const bool viscous = !body.viscous.empty();
     for (std::size_t i = 0; i < body.v.size(); ++i) {
       const double w = body.inverse_mass[i];
@@ -112,11 +113,11 @@ void March::change_step() {
       body.v[i] = (over.keep * body.v[i] + (over.push - then.push) * a) / then.keep;
     }
   }
-  for (RigidBody& body : rigid_) body.kick(over.keep / then.keep, (over.push - then.push) / then.keep);
-  since_time_ = time();
-  since_step_ = step_;
-  dt_ = next_dt_;
-  smallest_step_ = std::min(smallest_step_, dt_);
+  for (RigidBody& body : motion_.rigid) body.kick(over.keep / then.keep, (over.push - then.push) / then.keep);
+  motion_.since_time = time();
+  motion_.since_step = motion_.step;
+  motion_.dt = motion_.next_dt;
+  smallest_step_ = std::min(smallest_step_, motion_.dt);
   ++step_changes_;
   planned_ = planned_steps();
   const Kinetic after = kinetic();

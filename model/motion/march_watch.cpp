@@ -38,31 +38,31 @@ std::string in_metres(const Point& x) { return fmt::format("({:.6g}, {:.6g}, {:.
 }  // namespace
 
 void March::watch(bool last) {
-  PhaseTimer timer(price_, "watching");
-  if (step_ == 0) {
+  PhaseTimer timer(motion_.price, "watching");
+  if (motion_.step == 0) {
     if (keep_good_) good_.save(*this);
     return;
   }
-  if (!last && !scene_.settling && step_ % (glances_a_look * watch_every_) != 0) {
+  if (!last && !motion_.scene.settling && motion_.step % (glances_a_look * watch_every_) != 0) {
     double moving = 0;
-    for (const MovingBody& body : bodies_) moving += half_step_kinetic(body);
+    for (const MovingBody& body : motion_.bodies) moving += half_step_kinetic(body);
     if (!(moving <= allowance())) look_at_energy(ledger());
     return;
   }
   const Ledger l = ledger();
   look_at_energy(l);
-  if (last || step_ % (glances_a_look * watch_every_) == 0) {
+  if (last || motion_.step % (glances_a_look * watch_every_) == 0) {
     look_at_units();
     if (keep_good_) good_.save(*this);
   }
-  if (scene_.settling) settle(l);
+  if (motion_.scene.settling) settle(l);
 }
 
 /// What a sound march can hold as kinetic energy at a half step, or as stored energy: in the leap-frog a mode
 /// of frequency omega and energy E reaches E / (1 - (omega dt / 2)^2) of either, and the sum of all E is what
 /// has been supplied.
 double March::allowance() const {
-  const double share = dt_ / critical_now_;
+  const double share = motion_.dt / critical_now_;
   return (1 + tolerance) * (initial_energy_ + external_passed_ + created_) /
              std::max(0.05, 1 - share * share) +
          1e-12;
@@ -72,7 +72,7 @@ void March::look_at_energy(const Ledger& l) {
   if (!std::isfinite(l.stored()) || !std::isfinite(l.external))
     fail(
         Stopped::Watch::not_a_number, fastest_point(), "a displacement is not a finite number",
-        scene_.large_motion
+        motion_.scene.large_motion
             ? "a unit may have turned inside out, the march may have become unstable, or a load or material "
               "is out of range: try more [time] "
               "snapshots to see where it begins, a gentler load, or a smaller --safety"
@@ -81,7 +81,7 @@ void March::look_at_energy(const Ledger& l) {
   const double supplied = initial_energy_ + external_passed_ + created_, from_nowhere = -l.imbalance();
   const double held = l.strain + l.hourglass + l.contact, most = allowance();
   double moving = 0;
-  for (const MovingBody& body : bodies_) moving += half_step_kinetic(body);
+  for (const MovingBody& body : motion_.bodies) moving += half_step_kinetic(body);
   if (moving <= most && held <= most && from_nowhere <= tolerance * supplied + 1e-12) return;
   look_at_units();  // a unit that cannot be followed is the nearer cause
   const std::string place = fastest_point();
@@ -93,11 +93,11 @@ void March::look_at_energy(const Ledger& l) {
           : fmt::format("the energy has grown to {:.3g} J, with {:.3g} J supplied by loads and the start",
                         std::max(moving, held), supplied);
   const double omega = frequency_of_motion();
-  if (omega * dt_ > 1.95)
+  if (omega * motion_.dt > 1.95)
     fail(Stopped::Watch::step, place,
          fmt::format("{}; what grows has a frequency of {:.4g} rad/s, which no step above {:.4g} s can "
                      "follow, and the step is {:.4g} s",
-                     grown, omega, 2 / omega, dt_),
+                     grown, omega, 2 / omega, motion_.dt),
          fmt::format("the deformed body is stiffer than at the start: try --safety {:.2g}",
                      0.8 * 2 / omega / critical_now_));
   fail(Stopped::Watch::energy, place, grown,
@@ -112,13 +112,14 @@ double March::frequency_of_motion() {
   MemoryArchive here;
   here.save(*this);
   std::vector<AlignedVector<double>> before;
-  for (const MovingBody& body : bodies_) before.push_back(body.f);
+  for (const MovingBody& body : motion_.bodies) before.push_back(body.f);
   try {
     kick_and_drift();
-    ++step_;
+    ++motion_.step;
+    keep_internal_ = false;
     forces();
-    for (std::size_t b = 0; b < bodies_.size(); ++b) {
-      const MovingBody& body = bodies_[b];
+    for (std::size_t b = 0; b < motion_.bodies.size(); ++b) {
+      const MovingBody& body = motion_.bodies[b];
       double work = 0, inertia = 0;
       for (std::size_t i = 0; i < body.u.size(); ++i) {
         if (body.inverse_mass[i] == 0) continue;
@@ -126,25 +127,25 @@ double March::frequency_of_motion() {
         inertia += body.v[i] * body.v[i] / body.inverse_mass[i];
       }
       if (work > 0 && std::isfinite(work) && inertia > 0)
-        most = std::max(most, std::sqrt(work / (dt_ * inertia)));
+        most = std::max(most, std::sqrt(work / (motion_.dt * inertia)));
     }
   } catch (const MotionError&) {  // a contact that does not take that step: then the frequency stays unknown
   }
   here.restore(*this);
-  for (std::size_t b = 0; b < bodies_.size(); ++b) bodies_[b].f = before[b];
+  for (std::size_t b = 0; b < motion_.bodies.size(); ++b) motion_.bodies[b].f = before[b];
   return most;
 }
 
 void March::look_at_units() {
-  if (!scene_.large_motion) return;
-  for (const MovingBody& body : bodies_)
+  if (!motion_.scene.large_motion) return;
+  for (const MovingBody& body : motion_.bodies)
     if (const auto trouble = body.discretization->trouble(body.u.data()))
       fail(Stopped::Watch::unit, fmt::format("body \"{}\", at {}", body.name, in_metres(trouble->position)),
            trouble->what, trouble->advice);
 }
 
 void March::keep_good_states() {
-  keep_good_ = scene_.large_motion || scene_.is_plastic() || !contacts_.empty();
+  keep_good_ = motion_.scene.large_motion || motion_.scene.is_plastic() || effects_.bodies_may_part();
 }
 
 bool March::return_to_good_state() {
@@ -158,7 +159,7 @@ bool March::return_to_good_state() {
 std::string March::fastest_point() const {
   std::string place = "unknown place";
   double fastest = -1;
-  for (const MovingBody& body : bodies_) {
+  for (const MovingBody& body : motion_.bodies) {
     const Layout& at = body.discretization->layout();
     for (std::size_t i = 0; i < at.points; ++i) {
       double speed = 0;
@@ -176,8 +177,8 @@ std::string March::fastest_point() const {
 
 void March::fail(Stopped::Watch watch, const std::string& place, const std::string& what,
                  const std::string& advice) const {
-  throw Stopped(watch, fmt::format("stopped at step {} (t = {:.6g} s), {}: {}; {}", step_, time(), place,
-                                   what, advice));
+  throw Stopped(watch, fmt::format("stopped at step {} (t = {:.6g} s), {}: {}; {}", motion_.step, time(),
+                                   place, what, advice));
 }
 
 }  // namespace femsph

@@ -14,13 +14,6 @@ Point place_of(const March& march, const MovingBody& body, std::size_t point) {
   return x;
 }
 
-std::pair<std::size_t, int> component_of(const Layout& at, std::size_t slot) {
-  const std::size_t k = slot - at.offset;
-  if (at.component_stride == 1) return {k / at.point_stride, int(k % at.point_stride)};  // side by side
-  return {
-      (k % at.component_stride) / at.point_stride, int(k / at.component_stride)};  // a row for each component
-}
-
 std::vector<std::pair<Point, Point>> Reaction::forces(const March& march) const {
   std::vector<std::pair<Point, Point>> out;
   out.reserve(parts.size());

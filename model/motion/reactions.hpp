@@ -16,9 +16,6 @@ namespace femsph {
 /// Where a point is now; in small motion, where it began.
 Point place_of(const March& march, const MovingBody& body, std::size_t point);
 
-/// The point and component of a slot.
-std::pair<std::size_t, int> component_of(const Layout& at, std::size_t slot);
-
 struct Reaction {
   const MovingBody* body;
   struct Part {

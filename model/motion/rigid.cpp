@@ -72,11 +72,9 @@ const RigidForm& RigidBody::form() const {
   throw Refusal("a rigid body cannot be a " + shape->describe());
 }
 
-void RigidBody::load(const Scene& scene, double t) {
-  force = moment = {};
-  if (scene.gravity) force = mass * *scene.gravity;
-  for (const Load& l : scene.loads)
-    if (l.place.body == index) force = force + l.history.at(t) * l.force;
+void RigidBody::begin_forces() {
+  force = mass * gravity;
+  moment = {};
 }
 
 void RigidBody::kick(double keep, double push) {
@@ -143,6 +141,14 @@ double RigidBody::product(double keep, double push, double before, double after)
     s[c] = held_turn[c] ? 0 : before * spin[c] + after * (keep * spin[c] + push * moment[c]);
   }
   return mass * dot(velocity, v) + dot(rate(), s);
+}
+
+void RigidBody::state(Archive& archive) {
+  archive("moved", moved);
+  archive("velocity", velocity);
+  archive("spin", spin);
+  for (int a = 0; a < 3; ++a) archive("axis_" + std::to_string(a), axes[a]);
+  archive("angle", angle);
 }
 
 }  // namespace femsph

@@ -33,6 +33,7 @@ struct RigidBody {
   Point moved{}, velocity{};  ///< displacement of the centre; its velocity at the last half step
   Point spin{};               ///< angular momentum about the centre at the last half step, in space, kg m^2/s
   Point force{}, moment{};    ///< on the centre, N and N m
+  Point gravity{};            ///< m/s^2
   std::array<Point, 3> axes{Point{1, 0, 0}, Point{0, 1, 0}, Point{0, 0, 1}};  ///< of the shape, in space
   double angle = 0;                                                           ///< in a plane, rad
   std::array<bool, 3> held{}, held_turn{};
@@ -50,10 +51,10 @@ struct RigidBody {
   int sides() const;
   Stand stand(int side, const Point& x) const;
 
-  /// Loads and gravity at time t, in place of what was there.
-  void load(const Scene& scene, double t);
-  /// Leap-frog: velocity and spin by the force, then the place by the velocity. keep and push as in
-  /// March::kinetic().
+  /// Its weight, in place of what was there.
+  void begin_forces();
+  /// Leap-frog: velocity and spin by the force, then the place by the velocity. keep and push: see
+  /// Leap.
   void kick(double keep, double push);
   void drift(double dt);
   /// From velocity and spin at the start to those half a step before (see March::start_velocities).

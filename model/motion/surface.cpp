@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "model/motion/march.hpp"
+#include "model/motion/motion.hpp"
 #include "model/numerics/vectors.hpp"
 
 namespace femsph {

@@ -81,10 +81,10 @@ bool Scene::is_plastic() const {
          std::any_of(bars.begin(), bars.end(), [&](const Bar& bar) { return yields(bar.material); });
 }
 
-namespace {
-
-/// Each once, whichever body asks for it. Of a bar's law the yield stress alone counts.
-void add_effects_of_laws(const Scene& scene, std::vector<std::string>& on) {
+/// What the laws add to the list of effects; each once, whichever body asks for it. Of a bar's law the yield
+/// stress alone counts.
+std::vector<std::string> material_effects(const Scene& scene) {
+  std::vector<std::string> on;
   const auto add = [&](const std::string& name) {
     if (std::find(on.begin(), on.end(), name) == on.end()) on.push_back(name);
   };
@@ -93,38 +93,6 @@ void add_effects_of_laws(const Scene& scene, std::vector<std::string>& on) {
       for (const std::string& effect : scene.material_of(body).effects()) add(effect);
   for (const Bar& bar : scene.bars)
     if (scene.materials.at(bar.material).yields()) add("plasticity");
-}
-
-}  // namespace
-
-std::vector<std::string> Scene::effects() const {
-  std::vector<std::string> on;
-  const auto add = [&](bool asked, const char* name) {
-    if (asked) on.emplace_back(name);
-  };
-  add(large_motion, "finite rotation");
-  add_effects_of_laws(*this, on);
-  add(!supports.empty(), "supports");
-  add(std::any_of(supports.begin(), supports.end(),
-                  [](const Support& support) { return support.velocity != Point{}; }),
-      "moved supports");
-  add(!symmetries.empty(), "symmetry");
-  add(!bars.empty(), "bars");
-  add(!loads.empty(), "loads");
-  add(!initial_velocities.empty(), "initial velocity");
-  add(!initial_displacements.empty(), "initial displacement");
-  add(std::any_of(bodies.begin(), bodies.end(), [](const Body& body) { return body.rigid; }), "rigid bodies");
-  add(std::any_of(contacts.begin(), contacts.end(), [](const Contact& contact) { return !contact.tied; }),
-      "contact");
-  add(std::any_of(contacts.begin(), contacts.end(), [](const Contact& contact) { return contact.tied; }),
-      "tied bodies");
-  add(std::any_of(
-          contacts.begin(), contacts.end(), [](const Contact& contact) { return contact.friction > 0; }),
-      "friction");
-  add(gravity.has_value(), "gravity");
-  add(damping.has_value(), "damping");
-  add(settling && settling->method == SettlingMethod::damping, "settling by damping");
-  add(settling && settling->method == SettlingMethod::kinetic, "settling by kinetic damping");
   return on;
 }
 

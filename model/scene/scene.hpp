@@ -178,6 +178,11 @@ struct Settling {
   std::optional<double> rate;  ///< c, 1/s: damping force = c m v
 };
 
+/// What an effect reads from a table of its own, if the scene has no member for it (motion/effects).
+struct EffectInput {
+  virtual ~EffectInput() = default;
+};
+
 struct Scene {
   std::string title;
   std::string file;  ///< as given by the user
@@ -203,6 +208,7 @@ struct Scene {
   /// Fields hold stress and strain by the one rule at nodes and particles too.
   bool recovered_fields = false;
   std::optional<Settling> settling;
+  std::map<std::string, std::shared_ptr<const EffectInput>> effect_inputs;  ///< by the name of their table
   /// What the reader wants said: each "file:line:column: text", or a sentence.
   std::vector<std::string> warnings;
 
@@ -211,9 +217,10 @@ struct Scene {
   /// The supports, and the symmetry planes as what they hold: their normal component.
   std::vector<Support> holds() const;
   bool is_plastic() const;  ///< some body's or bar's material is
-  /// The effects that this scene asks for, by name; everything else costs nothing.
-  std::vector<std::string> effects() const;
 };
+
+/// What the materials of its bodies and bars ask for beyond linear elasticity, by name.
+std::vector<std::string> material_effects(const Scene& scene);
 
 /// The elastic law of a body, for a solver `what` that knows no other. Throws std::runtime_error when its
 /// material is plastic.

@@ -2,6 +2,7 @@
 
 #include <cstdlib>
 
+#include "model/motion/effects/catalogue.hpp"
 #include "model/scene/reader/reader.hpp"
 
 extern "C" int LLVMFuzzerTestOneInput(const unsigned char* data, std::size_t size) {
@@ -11,7 +12,7 @@ extern "C" int LLVMFuzzerTestOneInput(const unsigned char* data, std::size_t siz
     // What runs and tables ask of any scene that was accepted.
     for (const femsph::Body& body : scene.bodies) body.shape->describe();
     for (const femsph::Load& load : scene.loads) load.history.at(0.5 * scene.duration);
-    scene.effects();
+    effects_on(scene);
     scene.holds();
   } catch (const femsph::InputError& e) {
     if (e.faults().empty()) std::abort();

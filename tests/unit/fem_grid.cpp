@@ -8,7 +8,7 @@
 #include "fem/mesh/deal_ii.hpp"
 #include "fem/mesh/grid.hpp"
 #include "fem_support.hpp"
-#include "model/scene/shapes/structured_shapes.hpp"
+#include "model/scene/shapes/shapes.hpp"
 
 namespace femsph::test {
 namespace {

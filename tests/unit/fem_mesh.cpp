@@ -6,6 +6,7 @@
 #include <numeric>
 
 #include "fem_support.hpp"
+#include "model/motion/effects/loads.hpp"
 #include "model/motion/march.hpp"
 #include "model/scene/shapes/mesh.hpp"
 #include "model/scene/shapes/round.hpp"
@@ -76,7 +77,8 @@ TEST(FemPressure, ResultantOnAQuarterRing) {
   const March march(scene, std::move(bodies), {});
   Point sum{};
   const MovingBody& body = march.bodies()[0];
-  for (const auto& load : body.loads) sum[load.slot % 2] += load.force;
+  for (const auto& load : march.effects().find<Loads>()->on(march.motion(), body))
+    sum[load.slot % 2] += load.force;
   EXPECT_NEAR(sum[0], 100e6 * 0.1 * 0.5, 1e-6);
   EXPECT_NEAR(sum[1], 100e6 * 0.1 * 0.5, 1e-6);
 }

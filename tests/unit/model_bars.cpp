@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include "model/motion/bars.hpp"
+#include "model/motion/effects/catalogue.hpp"
 #include "model/scene/reader/reader.hpp"
 
 namespace femsph {
@@ -86,7 +87,7 @@ TEST(SceneParts, AreRead) {
   EXPECT_EQ(s.bars[0].axis(), 0);
   ASSERT_EQ(s.holds().size(), 2u);
   EXPECT_THAT(s.holds()[1].fixed, testing::ElementsAre(true, false, false));
-  EXPECT_THAT(s.effects(), testing::ElementsAre("supports", "symmetry", "bars"));
+  EXPECT_THAT(effects_on(s), testing::ElementsAre("supports", "symmetry", "bars"));
 }
 
 std::string with(std::string from, const std::string& to) {

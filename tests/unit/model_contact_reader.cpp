@@ -3,6 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "model/motion/effects/catalogue.hpp"
 #include "model/scene/reader/reader.hpp"
 
 namespace femsph {
@@ -65,7 +66,7 @@ force = ["0 N", "-5 N"]
   EXPECT_EQ(s.supports[0].fixed, (std::array{true, false, false}));
   EXPECT_EQ(s.supports[0].fixed_turn, (std::array{false, false, true}));
   EXPECT_EQ(s.loads[0].place.body, 0u);
-  EXPECT_THAT(s.effects(), testing::IsSupersetOf({"rigid bodies", "contact", "friction"}));
+  EXPECT_THAT(effects_on(s), testing::IsSupersetOf({"rigid bodies", "contact", "friction"}));
 }
 
 // 1000 kg/m^3 x pi 0.1^2 x 0.5 m = 15.708 kg.
@@ -107,8 +108,8 @@ TEST(ContactReader, ReadsTiedBodiesAndRefusesWhatTheyCannotHave) {
   const Scene s = parse_scene(tied("\"beam\", \"more\"", ""), "scene.toml");
   ASSERT_EQ(s.contacts.size(), 1u);
   EXPECT_TRUE(s.contacts[0].tied);
-  EXPECT_THAT(s.effects(), testing::Contains("tied bodies"));
-  EXPECT_THAT(s.effects(), testing::Not(testing::Contains("contact")));
+  EXPECT_THAT(effects_on(s), testing::Contains("tied bodies"));
+  EXPECT_THAT(effects_on(s), testing::Not(testing::Contains("contact")));
   EXPECT_THAT(message_of(tied("\"beam\", \"more\"", "friction = 0.3\n")),
               HasSubstr("\"friction\" in a contact of kind \"tied\""));
   EXPECT_THAT(message_of(tied("\"beam\", \"weight\"", "")), HasSubstr("one of two tied bodies is rigid"));

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <vector>
 
-#include "model/motion/gravity.hpp"
+#include "model/motion/effects/gravity.hpp"
 
 namespace femsph {
 namespace {

@@ -3,6 +3,7 @@
 #include <gmock/gmock.h>
 
 #include "model/input/faults.hpp"
+#include "model/motion/effects/catalogue.hpp"
 #include "model/scene/reader/reader.hpp"
 #include "model_law_support.hpp"
 
@@ -82,11 +83,11 @@ TEST(PlasticMaterial, IsReadAsWritten) {
   EXPECT_EQ(law.parameters.tension, TensionRule::sign);
   EXPECT_EQ(law.parameters.integration, Integration::largest_stress);
   for (const char* effect : {"plasticity", "tension rule sign", "no return mapping (hypothesis 3)"})
-    EXPECT_THAT(scene.effects(), Contains(effect));
+    EXPECT_THAT(effects_on(scene), Contains(effect));
   const Scene plain = scene_with("yield = \"300 MPa\"\nhardening = \"2.12 GPa\"");
   EXPECT_DOUBLE_EQ(plain.materials.at("m").plasticity()->hardening, 2.12e9);
-  EXPECT_THAT(plain.effects(), Contains("plasticity"));
-  EXPECT_THAT(scene_with("", "elastic").effects(), Not(Contains("plasticity")));
+  EXPECT_THAT(effects_on(plain), Contains("plasticity"));
+  EXPECT_THAT(effects_on(scene_with("", "elastic")), Not(Contains("plasticity")));
 }
 
 TEST(PlasticMaterial, FaultsSayWhatWasExpected) {

@@ -10,6 +10,7 @@
 
 #include "model/material/kinematics.hpp"
 #include "model/material/laws/point_stress.hpp"
+#include "model/motion/effects/catalogue.hpp"
 #include "model/scene/reader/reader.hpp"
 #include "model_law_support.hpp"
 
@@ -184,7 +185,7 @@ TEST(JohnsonCook, IsReadAsWritten) {
   EXPECT_DOUBLE_EQ(jc.room, 298.15);
   EXPECT_DOUBLE_EQ(jc.start, 298.15);
   EXPECT_DOUBLE_EQ(jc.heating, 0.9 / (7850 * 477.0));
-  EXPECT_THAT(scene.effects(), testing::Contains("Johnson-Cook yield stress"));
+  EXPECT_THAT(effects_on(scene), testing::Contains("Johnson-Cook yield stress"));
 }
 
 TEST(JohnsonCook, FaultsSayWhatWasExpected) {
@@ -216,7 +217,7 @@ TEST(NeoHookeanMaterial, NeedsLargeMotion) {
       "s\"\n[model]\nplane = \"strain\"\n";
   const Scene good = parse_scene(scene + "motion = \"large\"\n", "n.toml");
   EXPECT_TRUE(std::holds_alternative<NeoHookean>(good.materials.at("m").law(Plane::strain)));
-  EXPECT_THAT(good.effects(), testing::Contains("neo-Hookean law"));
+  EXPECT_THAT(effects_on(good), testing::Contains("neo-Hookean law"));
   try {
     parse_scene(scene, "n.toml");
     FAIL();

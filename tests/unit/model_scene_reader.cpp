@@ -3,6 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "model/motion/effects/catalogue.hpp"
 #include "model/scene/reader/reader.hpp"
 
 using namespace femsph;
@@ -78,9 +79,9 @@ TEST(SceneReader, EffectsAreThoseAskedFor) {
   ASSERT_TRUE(scene.settling);
   EXPECT_DOUBLE_EQ(scene.settling->tolerance, 1e-3);
   EXPECT_DOUBLE_EQ(*scene.settling->rate, 1050);
-  EXPECT_THAT(scene.effects(), ElementsAre("finite rotation", "supports", "loads", "initial velocity",
-                                           "gravity", "damping", "settling by damping"));
-  EXPECT_THAT(Scene{}.effects(), ElementsAre());
+  EXPECT_THAT(effects_on(scene), ElementsAre("finite rotation", "supports", "loads", "initial velocity",
+                                             "gravity", "damping", "settling by damping"));
+  EXPECT_THAT(effects_on(Scene{}), ElementsAre());
 }
 
 TEST(SceneReader, ThreeDimensions) {

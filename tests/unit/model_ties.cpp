@@ -7,6 +7,7 @@
 #include <cmath>
 #include <random>
 
+#include "model/motion/effects/ties.hpp"
 #include "model/motion/march.hpp"
 #include "model/numerics/vectors.hpp"
 #include "model/scene/shapes/box.hpp"

@@ -1,5 +1,7 @@
 // Contact and rigid bodies against exact solutions, with both solvers.
 
+#include "model/motion/effects/contact.hpp"
+
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -173,13 +175,13 @@ Blow collide(const Scene& scene, const std::string& method, double spacing_mm) {
     }
     blow.linear = std::max(blow.linear, p / p0);
     blow.angular = std::max(blow.angular, h / h0);
-    blow.touched = blow.touched || m.contacts()[0].touching() > 0;
+    blow.touched = blow.touched || m.effects().find<ContactOfBodies>()->pairs()[0].touching() > 0;
     const Ledger l = m.ledger();
     blow.imbalance = std::max(blow.imbalance, std::abs(l.imbalance()) / l.initial);
     blow.friction = l.friction / l.initial;
   };
   march.run(events);
-  blow.depth = march.contacts()[0].deepest_share();
+  blow.depth = march.effects().find<ContactOfBodies>()->pairs()[0].deepest_share();
   fmt::print(
       "{}: linear {:.1e}, angular {:.1e}, imbalance {:.1e}, friction loss {:.3f}, depth {:.4f} d, step "
       "-{:.1f} %\n",

@@ -5,6 +5,7 @@
 
 #include <numeric>
 
+#include "model/motion/effects/mean_supports.hpp"
 #include "model/results/recorder.hpp"
 #include "support.hpp"
 
@@ -166,9 +167,9 @@ TEST(MeanSupport, TurnsFreelyAndHoldsItsMean) {
     }
     EXPECT_LT(std::abs(mean), 1e-11 * deflection) << method;
     EXPECT_GT(largest, 1e-6 * deflection) << method;
-    const double reaction = std::accumulate(
-        r.march->bodies()[0].means.begin(), r.march->bodies()[0].means.end(), 0.0,
-        [](double sum, const auto& hold) { return sum + hold.reaction; });
+    double reaction = 0;
+    for (const MeanSupports::MeanHold& hold : r.march->effects().find<MeanSupports>()->holds())
+      reaction += hold.reaction;
     EXPECT_NEAR(reaction, F, 1e-3 * F) << method;
   }
 }

@@ -54,6 +54,7 @@ Scene parse_scene(const std::string& text, const std::string& file) {
   read_contacts(root, reading);
   read_gravity(root, reading);
   read_damping(root, reading);
+  read_effects(root, reading);
   read_output(root, reading);  // before what it is a default of
   read_probes(root, reading);
   read_sections(root, reading);

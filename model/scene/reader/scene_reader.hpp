@@ -40,6 +40,8 @@ void read_probes(Fields& root, Reading& reading);
 void read_sections(Fields& root, Reading& reading);
 void read_time(Fields& root, Reading& reading);
 void read_settling(Fields& root, Reading& reading);
+/// The tables of effects that read their own (EffectEntry::read).
+void read_effects(Fields& root, Reading& reading);
 
 /// What is left of [bodies.NAME] for a body that is rigid: its mass.
 void read_rigid_body(Fields& fields, Body& body, const Reading& reading);

@@ -8,7 +8,7 @@
 // the step are solved for (Lagrange multipliers of the central difference method: Carpenter, Taylor & Katona,
 // Int. J. Numer. Meth. Engng 32 (1991) 103):
 //   S l = -(g / dt + keep G v) / push - G M^-1 f,   S = G M^-1 G^T,   G = dg/dx,
-// with keep and push as in March::kinetic(); the forces are G^T l. Motion as one solid changes no g, so G^T l
+// with keep and push as in Leap; the forces are G^T l. Motion as one solid changes no g, so G^T l
 // has neither resultant nor moment, to round-off. Constraints only lower the frequencies of a system, so the
 // step stays that of the bodies alone. S is diagonal where points meet points, and near that elsewhere:
 // conjugate gradients, scaled by its diagonal, need a few turns.
@@ -47,12 +47,6 @@ class Ties {
   const std::vector<Bond>& bonds() const { return bonds_; }
   double taken() const { return taken_; }  ///< J: minus the work of the forces so far; round-off where g0 = 0
   void state(Archive& archive) { archive("force", force_), archive("taken", taken_); }
-  /// Calls take(point, force) for the force on each point of deformable body `index`.
-  template <class Take>
-  void each_force(std::size_t index, Take&& take) const {
-    for (std::size_t k = 0; k < nodes_.size(); ++k)
-      if (nodes_[k].body == index) take(nodes_[k].point, force_[k]);
-  }
 
  private:
   /// A point of some body that takes part.

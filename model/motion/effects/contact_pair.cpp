@@ -1,11 +1,11 @@
-#include "model/motion/contact.hpp"
+#include "model/motion/effects/contact_pair.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
 
-#include "model/motion/march.hpp"
+#include "model/motion/motion.hpp"
 #include "model/numerics/parallel.hpp"
 #include "model/numerics/vectors.hpp"
 
@@ -95,15 +95,15 @@ void ContactPair::add_forces(std::vector<MovingBody>& moving, std::vector<RigidB
   for (Side& side : sides_)
     if (!side.party.rigid) side.surface[0].move_active(moving[side.party.index]);
   for (Pass& pass : passes_) {
-    pass.blows.resize(pass.points.size());
+    pass.forces.resize(pass.points.size());
     const auto look = [&](std::size_t begin, std::size_t end) {
       for (std::size_t k = begin; k < end; ++k)
-        pass.blows[k] = press(bodies, pass, k, pass.holds[pass.points[k]], step, step == 0 ? 0.0 : dt);
+        pass.forces[k] = press(bodies, pass, k, pass.holds[pass.points[k]], step, step == 0 ? 0.0 : dt);
     };
     parallel_for(pass.points.size(), 8, look, 16);  // one costs about as much as 16 particles of a plane body
   }
   for (const Pass& pass : passes_)
-    for (std::size_t k = 0; k < pass.points.size(); ++k) deal(bodies, pass, k, step);
+    for (std::size_t k = 0; k < pass.points.size(); ++k) apply(bodies, pass, k, step);
   if (touching_ == 0) return;
   for (Side& side : sides_)
     if (!side.party.rigid) side.surface[0].add_forces_to(moving[side.party.index]);
@@ -137,60 +137,60 @@ bool ContactPair::choose(Bodies bodies, const Pass& pass, std::size_t k, Hold& h
          found.beyond <= overhang_;
 }
 
-ContactPair::Blow ContactPair::press(Bodies bodies, const Pass& pass, std::size_t k, Hold& hold, long step,
-                                     double dt) const {
+ContactPair::PointForce ContactPair::press(Bodies bodies, const Pass& pass, std::size_t k, Hold& hold,
+                                           long step, double dt) const {
   const Surface& own = sides_[pass.from].surface[0];
   const std::size_t p = pass.points[k];
-  Blow blow;
-  const bool inside = choose(bodies, pass, k, hold, blow.at);
-  const double area = inside ? std::min(own.area_limit[p], -dot(own.area[p], blow.at.normal)) : 0.0;
-  blow.depth = -blow.at.gap - slack_;
-  if (inside && step == 0 && blow.depth > 1e-6 * spacing_) {
-    blow.kind = Blow::Kind::overlap;
-  } else if (inside && blow.depth > depth_) {
-    blow.kind = Blow::Kind::too_deep;
+  PointForce on_point;
+  const bool inside = choose(bodies, pass, k, hold, on_point.at);
+  const double area = inside ? std::min(own.area_limit[p], -dot(own.area[p], on_point.at.normal)) : 0.0;
+  on_point.depth = -on_point.at.gap - slack_;
+  if (inside && step == 0 && on_point.depth > 1e-6 * spacing_) {
+    on_point.kind = PointForce::Kind::overlap;
+  } else if (inside && on_point.depth > depth_) {
+    on_point.kind = PointForce::Kind::too_deep;
   } else if (area <= 0) {
-    release(bodies, pass, p, hold, dt, blow);
+    release(bodies, pass, p, hold, dt, on_point);
   } else {
-    const double stiffness = pass.weight * kappa_ * area, pressing = stiffness * blow.depth;
-    blow.kind = Blow::Kind::press;
-    blow.force = pressing * blow.at.normal;
-    blow.stored = 0.5 * stiffness * blow.depth * blow.depth;
+    const double stiffness = pass.weight * kappa_ * area, pressing = stiffness * on_point.depth;
+    on_point.kind = PointForce::Kind::press;
+    on_point.force = pressing * on_point.at.normal;
+    on_point.stored = 0.5 * stiffness * on_point.depth * on_point.depth;
     hold.touches = true;
-    if (contact_.friction > 0) rub(bodies, pass, p, hold, stiffness, pressing, dt, blow);
+    if (contact_.friction > 0) rub(bodies, pass, p, hold, stiffness, pressing, dt, on_point);
   }
-  return blow;
+  return on_point;
 }
 
-void ContactPair::deal(Bodies bodies, const Pass& pass, std::size_t k, long step) {
-  const Blow& blow = pass.blows[k];
-  loss_ += blow.slip;
-  if (blow.kind == Blow::Kind::none) return;
+void ContactPair::apply(Bodies bodies, const Pass& pass, std::size_t k, long step) {
+  const PointForce& on_point = pass.forces[k];
+  loss_ += on_point.slip;
+  if (on_point.kind == PointForce::Kind::none) return;
   Surface& own = sides_[pass.from].surface[0];
   const std::size_t p = pass.points[k];
-  if (blow.kind == Blow::Kind::overlap)
+  if (on_point.kind == PointForce::Kind::overlap)
     fail(fmt::format("the bodies overlap by {:.4g} mm at the start; expected them apart or touching",
-                     1e3 * blow.depth),
+                     1e3 * on_point.depth),
          own.now[p]);
-  if (blow.kind == Blow::Kind::too_deep)
+  if (on_point.kind == PointForce::Kind::too_deep)
     fail(fmt::format("a point went {:.4g} mm deep at step {}, more than half a spacing; raise its stiffness, "
                      "or take a finer spacing",
-                     1e3 * blow.depth, step),
+                     1e3 * on_point.depth, step),
          own.now[p]);
-  stored_ += blow.stored;
-  deepest_ = std::max(deepest_, blow.depth);
+  stored_ += on_point.stored;
+  deepest_ = std::max(deepest_, on_point.depth);
   ++touching_;
-  own.force[p] = own.force[p] + blow.force;
-  force_ = force_ + (pass.from == 1 ? 1.0 : -1.0) * blow.force;
-  react(bodies, pass, pass.holds[p].piece, blow.at, own.now[p], blow.force);
+  own.force[p] = own.force[p] + on_point.force;
+  force_ = force_ + (pass.from == 1 ? 1.0 : -1.0) * on_point.force;
+  react(bodies, pass, pass.holds[p].piece, on_point.at, own.now[p], on_point.force);
 }
 
 /// Force of friction on the point. The stretch follows the sliding; what goes beyond mu f / k is slip, which
 /// takes the mean of the old and the new pull times the slip (so the ledger closes).
 void ContactPair::rub(Bodies bodies, const Pass& pass, std::size_t p, Hold& hold, double k, double pressing,
-                      double dt, Blow& blow) const {
+                      double dt, PointForce& on_point) const {
   const Side &own = sides_[pass.from], &other = sides_[1 - pass.from];
-  const Stand& at = blow.at;
+  const Stand& at = on_point.at;
   Point sliding = own.surface[0].velocity(bodies.moving[own.party.index], p);
   if (other.party.rigid) {
     sliding = sliding - bodies.rigid[other.party.index].velocity_at(own.surface[0].now[p]);
@@ -206,11 +206,11 @@ void ContactPair::rub(Bodies bodies, const Pass& pass, std::size_t p, Hold& hold
   const double length = norm(trial), most = contact_.friction * pressing;
   if (k * length > most) stretch = (most / (k * length)) * trial;
   const Point pull = k * stretch;
-  blow.slip += 0.5 * dot(hold.pull + pull, trial - stretch);
+  on_point.slip += 0.5 * dot(hold.pull + pull, trial - stretch);
   hold.stretch = stretch;
   hold.pull = pull;
-  blow.stored += 0.5 * dot(pull, stretch);
-  blow.force = blow.force - pull;
+  on_point.stored += 0.5 * dot(pull, stretch);
+  on_point.force = on_point.force - pull;
 }
 
 /// The opposite of `force`, which acts at x: on a rigid body there, on a facet at the foot. What x lies
@@ -250,12 +250,39 @@ void ContactPair::react(Bodies bodies, const Pass& pass, int piece, const Stand&
 
 /// A point that lifts off slips by all that its friction spring still held.
 void ContactPair::release(Bodies bodies, const Pass& pass, std::size_t p, Hold& hold, double dt,
-                          Blow& blow) const {
+                          PointForce& on_point) const {
   if (dot(hold.pull, hold.pull) > 0) {
-    blow.at = stand(bodies, pass, hold.piece, sides_[pass.from].surface[0].now[p]);
-    rub(bodies, pass, p, hold, kappa_, 0, dt, blow);
+    on_point.at = stand(bodies, pass, hold.piece, sides_[pass.from].surface[0].now[p]);
+    rub(bodies, pass, p, hold, kappa_, 0, dt, on_point);
   }
   hold = {hold.piece};
+}
+
+/// Forces and depths of now follow from the points; what points remember and which pieces they look at does
+/// not.
+void ContactPair::state(Archive& archive) {
+  archive("next_search", next_search_);
+  archive("friction_loss", loss_);
+  archive("deepest", deepest_);
+  archive("touching", touching_);  // the next step looks whether anything did
+  for (std::size_t s = 0; s < sides_.size(); ++s)
+    for (Surface& surface : sides_[s].surface)
+      archive.below("side_" + std::to_string(s), [&] {
+        archive("now", surface.now);
+        archive("area", surface.area);
+        archive("active", surface.active);
+      });
+  for (std::size_t k = 0; k < passes_.size(); ++k)
+    archive.below("pass_" + std::to_string(k), [&] {
+      Pass& pass = passes_[k];
+      archive("points", pass.points);
+      archive("begin", pass.begin);
+      archive("pieces", pass.pieces);
+      archive.each("piece", pass.holds, &Hold::piece);
+      archive.each("touches", pass.holds, &Hold::touches);
+      archive.each("stretch", pass.holds, &Hold::stretch);
+      archive.each("pull", pass.holds, &Hold::pull);
+    });
 }
 
 }  // namespace femsph

@@ -1,9 +1,9 @@
-#include "model/motion/ties.hpp"
+#include "model/motion/effects/ties.hpp"
 
 #include <algorithm>
 #include <cmath>
 
-#include "model/motion/march.hpp"
+#include "model/motion/motion.hpp"
 #include "model/numerics/vectors.hpp"
 
 namespace femsph {

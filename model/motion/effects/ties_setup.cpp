@@ -6,9 +6,9 @@
 #include <cmath>
 #include <map>
 
-#include "model/motion/march.hpp"
+#include "model/motion/effects/ties.hpp"
+#include "model/motion/motion.hpp"
 #include "model/motion/overlap.hpp"
-#include "model/motion/ties.hpp"
 #include "model/numerics/box_grid.hpp"
 #include "model/numerics/vectors.hpp"
 
@@ -149,14 +149,15 @@ void Ties::tie(const Scene& scene, const Contact& contact, const std::vector<Mov
                        "surfaces within {:.4g} mm of each other",
                        1e3 * reach));
   for (const Node& n : nodes_)
-    for (const MovingBody::MeanHold& hold : bodies[n.body].means)
-      for (int c = 0; c < dim_; ++c)
-        if (std::find(hold.slots.begin(), hold.slots.end(),
-                      bodies[n.body].discretization->layout().at(n.point, c)) != hold.slots.end())
-          refuse(scene, contact,
-                 fmt::format("it shares a point of body \"{}\" with a support of mode = \"mean\"; keep their "
-                             "places apart",
-                             bodies[n.body].name));
+    for (int c = 0; c < dim_; ++c) {
+      const std::vector<std::size_t>& taken = bodies[n.body].constrained;
+      if (std::find(taken.begin(), taken.end(), bodies[n.body].discretization->layout().at(n.point, c)) !=
+          taken.end())
+        refuse(scene, contact,
+               fmt::format("it shares a point of body \"{}\" with a support of mode = \"mean\"; keep their "
+                           "places apart",
+                           bodies[n.body].name));
+    }
   bonds_.push_back(bond);
 }
 

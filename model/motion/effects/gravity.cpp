@@ -1,9 +1,10 @@
-#include "model/motion/gravity.hpp"
+#include "model/motion/effects/gravity.hpp"
 
 #include <algorithm>
 
 #include "model/numerics/parallel.hpp"
 #include "model/numerics/simd.hpp"
+#include "model/numerics/vectors.hpp"
 
 namespace femsph {
 
@@ -83,6 +84,44 @@ double power_of_weight(const Layout& layout, std::span<const double> mass, const
       sum += part(begin, std::min(begin + chunk, layout.points));
     return sum;
   });
+}
+
+/// A rigid body carries its weight by itself.
+Gravity::Gravity(Motion& motion) : g_(*motion.scene.gravity) {
+  for (RigidBody& body : motion.rigid) body.gravity = g_;
+}
+
+void Gravity::push_body(const Motion&, MovingBody& body) {
+  const Discretization& d = *body.discretization;
+  add_weight(d.layout(), d.mass(), g_, body.f.data());
+}
+
+void Gravity::work_on_body(const Motion& motion, const MovingBody& body, double& work) const {
+  const Discretization& d = *body.discretization;
+  work += motion.dt * power_of_weight(d.layout(), d.mass(), g_, body.v.data());
+}
+
+void Gravity::work_on_rigid(const Motion& motion, const RigidBody& body, double& work) const {
+  work += body.mass * motion.dt * dot(g_, body.velocity);
+}
+
+void Gravity::each_force(const Motion&, const MovingBody& body, const TakeForce& take) const {
+  const std::span<const double> mass = body.discretization->mass();
+  for (std::size_t i = 0; i < mass.size(); ++i) take(i, mass[i] * g_);
+}
+
+void Gravity::size_on_body(const Motion&, const MovingBody& body, double& sum) const {
+  for (const double m : body.discretization->mass()) sum += m * sum_of_magnitudes(g_);
+}
+
+EffectEntry gravity_effect() {
+  EffectEntry e{{"gravity", "a body force m g on every point"}};
+  e.asked_by = "[gravity]";
+  e.on = [](const Scene& s) { return s.gravity.has_value(); };
+  e.outside = true;
+  e.rank_off = 8;
+  e.make = make_effect<Gravity>;
+  return e;
 }
 
 }  // namespace femsph

@@ -52,14 +52,6 @@ class ContactPair {
   double deepest() const { return deepest_; }     ///< m, so far
   double deepest_share() const { return deepest_ / spacing_; }
   std::size_t touching() const { return touching_; }  ///< points, now
-  /// Calls take(point, force) for this contact's force on points of deformable body `index`.
-  template <class Take>
-  void each_force(std::size_t index, Take&& take) const {
-    for (const Side& side : sides_)
-      if (!side.party.rigid && side.party.index == index)
-        for (const std::size_t p : side.surface[0].active)
-          take(side.surface[0].point[p], side.surface[0].force[p]);
-  }
 
  private:
   struct Side {
@@ -74,9 +66,9 @@ class ContactPair {
     Point stretch{};
     Point pull{};  ///< N, what the spring pulled at the last step
   };
-  /// What a point's stand asks for. Points are looked at side by side; their blows are then dealt out in
-  /// order.
-  struct Blow {
+  /// What the contact does to one point now. All points are looked at in parallel; their forces are then
+  /// added up one after the other, in order, so that the sums do not depend on the threads.
+  struct PointForce {
     enum class Kind { none, press, overlap, too_deep } kind = Kind::none;
     Stand at;
     Point force{};      ///< N, on the point
@@ -92,7 +84,7 @@ class ContactPair {
     std::vector<std::size_t> points;  ///< those near the other body, and for each its pieces:
                                       ///< pieces[begin[k]] .. pieces[begin[k + 1] - 1]
     std::vector<int> begin, pieces;
-    std::vector<Blow> blows;  ///< of each of these points, now
+    std::vector<PointForce> forces;  ///< of each of these points, now
   };
   struct Bodies {
     std::vector<MovingBody>& moving;
@@ -106,11 +98,12 @@ class ContactPair {
   Stand stand(Bodies bodies, const Pass& pass, int piece, const Point& x) const;
   /// The nearest piece that faces the point; false if none is near or the point is outside.
   bool choose(Bodies bodies, const Pass& pass, std::size_t k, Hold& hold, Stand& found) const;
-  Blow press(Bodies bodies, const Pass& pass, std::size_t k, Hold& hold, long step, double dt) const;
+  PointForce press(Bodies bodies, const Pass& pass, std::size_t k, Hold& hold, long step, double dt) const;
   void rub(Bodies bodies, const Pass& pass, std::size_t p, Hold& hold, double k, double pressing, double dt,
-           Blow& blow) const;
-  void release(Bodies bodies, const Pass& pass, std::size_t p, Hold& hold, double dt, Blow& blow) const;
-  void deal(Bodies bodies, const Pass& pass, std::size_t k, long step);
+           PointForce& on_point) const;
+  void release(Bodies bodies, const Pass& pass, std::size_t p, Hold& hold, double dt,
+               PointForce& on_point) const;
+  void apply(Bodies bodies, const Pass& pass, std::size_t k, long step);
   void react(Bodies bodies, const Pass& pass, int piece, const Stand& at, const Point& x, const Point& force);
   [[noreturn]] void fail(const std::string& what, const Point& at) const;
 

@@ -6,8 +6,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "model/motion/contact.hpp"
-#include "model/motion/march.hpp"
+#include "model/motion/effects/contact_pair.hpp"
+#include "model/motion/motion.hpp"
 #include "model/motion/overlap.hpp"
 #include "model/numerics/box_grid.hpp"
 #include "model/numerics/vectors.hpp"

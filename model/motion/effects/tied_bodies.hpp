@@ -1,0 +1,27 @@
+#pragma once
+// Bodies bonded where they touch at the start: the ties of a scene (ties.hpp) as an effect.
+
+#include "model/motion/effects/effect.hpp"
+#include "model/motion/effects/ties.hpp"
+
+namespace femsph {
+
+class TiedBodies : public Effect {
+ public:
+  explicit TiedBodies(Motion& motion) : scene_(motion.scene), ties_(motion.scene, motion.bodies) {}
+  const Ties& ties() const { return ties_; }
+
+  /// Bodies that start at different speeds lose what matching them at the bond takes.
+  void start(Motion& motion) override { ties_.match_velocities(motion.bodies); }
+  void constrain(Motion& motion) override;
+  void add_energies(Ledger& l) const override { l.contact += ties_.taken(); }
+  void state(Archive& archive) override;
+  void contact_forces(std::vector<Point>& forces) const override;
+  void describe(const Motion& motion, std::vector<std::pair<std::string, std::string>>& lines) const override;
+
+ private:
+  const Scene& scene_;
+  Ties ties_;
+};
+
+}  // namespace femsph
