@@ -13,6 +13,7 @@
 
 #include "model/numerics/parallel.hpp"
 #include "model/numerics/principal.hpp"
+#include "model/results/flow_limit.hpp"
 #include "model/results/hdf5.hpp"
 #include "model/results/recovery.hpp"
 #include "model/results/whole_file.hpp"
