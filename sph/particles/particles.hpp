@@ -53,23 +53,26 @@ double part_of(const Point& x, double spacing, const std::vector<MirrorPlane>& p
 
 struct Particles {
   int dim = 2;
-  double spacing = 0;            ///< d, the smallest over the axes, m
-  double cell = 0;               ///< d^dim, m^dim
-  std::vector<Point> position;   ///< m; the body's own particles, then the mirrored ones
-  std::vector<double> volume;    ///< V_i by the mass rule, m^dim (an area in 2D, without the thickness)
-  std::vector<double> fraction;  ///< f_i, share of the full angle that the body (with its images) fills
-                                 ///< there: 1 inside, 1/2 on a face, 1/4 on an edge
-  std::vector<double>
-      kernel_volume;         ///< of a neighbour in kernel sums, m^dim: V_i, or V_i / f_i (set_kernel_volumes)
-  std::vector<double> part;  ///< of V_i that belongs to the body: 1/2 on a symmetry plane, 1/4 on two, else 1
+  double spacing = 0;           ///< d, the smallest over the axes, m
+  double cell = 0;              ///< d^dim, m^dim
+  std::vector<Point> position;  ///< m; the body's own particles, then the mirrored ones
+  /// V_i by the mass rule, m^dim (an area in 2D, without the thickness).
+  std::vector<double> volume;
+  /// f_i, share of the full angle that the body (with its images) fills there: 1 inside, 1/2 on a face, 1/4
+  /// on an edge.
+  std::vector<double> fraction;
+  /// K_i, of a neighbour in kernel sums, m^dim: V_i, or V_i / f_i (set_kernel_volumes).
+  std::vector<double> kernel_volume;
+  std::vector<double> part;         ///< part_of() each particle
   std::vector<Mirrored> mirrored;   ///< the last of `position`
   std::vector<MirrorPlane> planes;  ///< that these are mirrored in
   Lattice lattice;
-  std::vector<std::array<int, 8>>
-      cells;  ///< of a fitted body in place of the lattice: the particles are their corners (lexicographic)
+  /// Of a fitted body in place of the lattice: the particles are the cells' corners, in lexicographic order.
+  std::vector<std::array<int, 8>> cells;
   std::string note;  ///< what the user should know of the filling; empty: nothing
-  bool regular =
-      true;  ///< false once jittered: the lattice then only says which particles are where; and when fitted
+  /// False once jittered, when the lattice only says which particles are where, and in a fitted body.
+  bool regular = true;
+
   std::size_t size() const { return position.size() - mirrored.size(); }  ///< of the body's own
   double own_volume(std::size_t i) const { return volume[i] * part[i]; }
   /// The particle itself, or the one that it mirrors.
