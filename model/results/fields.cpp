@@ -2,19 +2,14 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
-#include <cmath>
-#include <cstdint>
 #include <filesystem>
 #include <future>
-#include <numeric>
 #include <optional>
 #include <stdexcept>
 
 #include "model/numerics/parallel.hpp"
-#include "model/numerics/principal.hpp"
 #include "model/results/hdf5.hpp"
-#include "model/results/recovery.hpp"
+#include "model/results/recovered_fields.hpp"
 #include "model/results/whole_file.hpp"
 #include "model/results/xdmf.hpp"
 
@@ -51,203 +46,6 @@ std::vector<long long> connectivity(const Topology& topology, const xdmf::Body& 
   return out;
 }
 
-/// Where the nine components xx xy xz yx yy yz zx zy zz stand in xx yy zz xy yz zx.
-constexpr std::array<int, 9> full{0, 3, 5, 3, 1, 4, 5, 4, 2};
-
-struct CellFields {
-  std::vector<double> stress, strain, equivalent, principal,
-      plastic;         ///< plastic: empty when the law has none
-  MaterialState flow;  ///< of it the bounds of the stress, means too, when points are to be recovered
-};
-
-/// a b + c as the compiler contracts such a sum where the processor can: said outright, since how it unrolls
-/// the loop around must not change the bits.
-double multiply_add(double a, double b, double c) {
-#ifdef __FMA__
-  return std::fma(a, b, c);
-#else
-  return a * b + c;
-#endif
-}
-
-/// Part of its cell's volume that each material point stands for; empty when a cell has one. Nothing deformed
-/// enters: once and for all.
-std::vector<double> shares_of(const Discretization& d, std::size_t cells) {
-  const std::size_t k = cells ? d.material_points() / cells : 0;
-  std::vector<double> share(k > 1 ? d.material_points() : 0);
-  if (!share.empty())
-    parallel_for(
-        cells, 64,
-        [&](std::size_t begin, std::size_t end) {
-          for (std::size_t e = begin; e < end; ++e) {
-            double volume = 0;
-            for (std::size_t q = e * k; q < (e + 1) * k; ++q) volume += share[q] = d.material_volume(q);
-            for (std::size_t q = e * k; q < (e + 1) * k; ++q) share[q] /= volume;
-          }
-        },
-        k);
-  return share;
-}
-
-/// Means over cells, some thousands at a time, so that their points' states stay near the processor. What a
-/// discretization prepares for one call (mirrored particles) it prepares for eight of them at most.
-class Means {
- public:
-  void fill(const Discretization& d, const double* u, const std::vector<double>& share, std::size_t cells,
-            bool with_flow, CellFields& out) {
-    const std::size_t k = cells ? d.material_points() / cells : 0;
-    const std::size_t at_once = cells ? std::max(std::size_t{16384}, d.material_points() / 8) / k : 0;
-    out.stress.resize(9 * cells);
-    out.strain.resize(9 * cells);
-    out.equivalent.resize(cells);
-    out.principal.resize(3 * cells);
-    state_.plastic.clear();
-    for (std::size_t first = 0; first < cells; first += at_once) {
-      const std::size_t count = std::min(at_once, cells - first);
-      points_.resize(count * k);
-      std::iota(points_.begin(), points_.end(), first * k);
-      d.material_state(u, points_, state_);
-      if (with_flow)
-        for (const auto bound : bounds) (out.flow.*bound).resize((state_.*bound).empty() ? 0 : cells);
-      out.plastic.resize(state_.plastic.empty() ? 0 : cells);
-      parallel_for(
-          count, 64,
-          [&](std::size_t begin, std::size_t end) {
-            for (std::size_t e = begin; e < end; ++e) {
-              const double* shares = share.empty() ? nullptr : &share[(first + e) * k];
-              mean(e, first + e, k, shares, out);
-              for (const auto bound : bounds)
-                if (with_flow && !(state_.*bound).empty())
-                  (out.flow.*bound)[first + e] = mean_of(state_.*bound, e, k, shares);
-            }
-          },
-          k);
-    }
-    if (cells == 0) out.plastic.clear();
-  }
-
- private:
-  static constexpr std::array bounds{
-      &MaterialState::flow_stress, &MaterialState::tensile_flow_stress, &MaterialState::tensile_strength};
-  static double mean_of(const std::vector<double>& values, std::size_t e, std::size_t k,
-                        const double* shares) {
-    double sum = 0;
-    for (std::size_t n = 0; n < k; ++n) sum += (shares ? shares[n] : 1.0) * values[e * k + n];
-    return sum;
-  }
-  /// Points e k .. e k + k - 1 of state_ are those of `cell`; k = 1 leaves every value as it is, to the last
-  /// bit.
-  void mean(std::size_t e, std::size_t cell, std::size_t k, const double* shares, CellFields& out) const {
-    double stress[9] = {}, strain[9] = {}, equivalent = 0, plastic = 0;
-    for (std::size_t n = 0; n < k; ++n) {
-      const std::size_t q = e * k + n;
-      const double share = shares ? shares[n] : 1.0;
-      for (int c = 0; c < 9; ++c) {
-        stress[c] = multiply_add(share, state_.stress[q][full[c]], stress[c]);
-        strain[c] = multiply_add(share, state_.strain[q][full[c]], strain[c]);
-      }
-      equivalent += share * von_mises(state_.stress[q]);
-      if (!state_.plastic.empty()) plastic += share * state_.plastic[q];
-    }
-    std::copy_n(stress, 9, &out.stress[9 * cell]);
-    std::copy_n(strain, 9, &out.strain[9 * cell]);
-    out.equivalent[cell] = equivalent;
-    const std::array<double, 3> principal = principal_values(
-        {stress[0], stress[4], stress[8], stress[1], stress[5], stress[2]});  // of the mean
-    std::copy(principal.begin(), principal.end(), &out.principal[3 * cell]);
-    if (!state_.plastic.empty()) out.plastic[cell] = plastic;
-  }
-
-  MaterialState state_;
-  std::vector<std::size_t> points_;
-};
-
-/// Stress and strain at the points by the one rule, from the means of the units around: their weights, and
-/// the values of the last snapshot.
-class AtPoints {
- public:
-  AtPoints(const Discretization& d, Plane plane) : plane_(plane) {
-    const Recovery rule(d.material_units());
-    const std::size_t points = d.layout().points;
-    std::vector<std::vector<Weight>> all(points);
-    parallel_for(
-        points, 64,
-        [&](std::size_t begin, std::size_t end) {
-          for (std::size_t i = begin; i < end; ++i) all[i] = rule.unit_weights(d.position(i));
-        },
-        64);
-    begin_.assign(points + 1, 0);
-    for (std::size_t i = 0; i < points; ++i) begin_[i + 1] = begin_[i] + all[i].size();
-    near_.reserve(begin_.back());
-    for (std::vector<Weight>& weights : all) {
-      for (const Weight& w : weights) near_.push_back({std::uint32_t(w.point), float(w.weight)});
-      std::vector<Weight>().swap(weights);
-    }
-  }
-
-  void fill(const CellFields& cells) {
-    const std::size_t points = begin_.size() - 1;
-    values.stress.resize(9 * points);
-    values.strain.resize(9 * points);
-    values.equivalent.resize(points);
-    values.principal.resize(3 * points);
-    values.plastic.resize(cells.plastic.empty() ? 0 : points);
-    parallel_for(
-        points, 64,
-        [&](std::size_t begin, std::size_t end) {
-          for (std::size_t i = begin; i < end; ++i) value(i, cells);
-        },
-        32);
-  }
-  CellFields values;
-
- private:
-  void value(std::size_t i, const CellFields& cells) {
-    std::array<double, 6> stress{}, strain{};
-    for (std::size_t n = begin_[i]; n < begin_[i + 1]; ++n)
-      for (std::size_t c = 0; c < 6; ++c) {
-        stress[c] = multiply_add(near_[n].weight, cells.stress[9 * near_[n].unit + six[c]], stress[c]);
-        strain[c] = multiply_add(near_[n].weight, cells.strain[9 * near_[n].unit + six[c]], strain[c]);
-      }
-    if (!cells.flow.flow_stress.empty()) {
-      StressBound bound{};
-      bound.yield = kept(i, cells.flow.flow_stress);
-      bound.tensile = cells.flow.tensile_flow_stress.empty() ? bound.yield
-                                                             : kept(i, cells.flow.tensile_flow_stress);
-      bound.strength = cells.flow.tensile_strength.empty() ? std::numeric_limits<double>::infinity()
-                                                           : kept(i, cells.flow.tensile_strength);
-      stress = limited(stress, bound, plane_);
-    }
-    for (std::size_t c = 0; c < 9; ++c)
-      values.stress[9 * i + c] = stress[std::size_t(full[c])],
-                            values.strain[9 * i + c] = strain[std::size_t(full[c])];
-    values.equivalent[i] = von_mises(stress);
-    const std::array<double, 3> principal = principal_values(stress);
-    std::copy(principal.begin(), principal.end(), &values.principal[3 * i]);
-    if (!cells.plastic.empty()) values.plastic[i] = kept(i, cells.plastic);
-  }
-  /// Within the range of the units used.
-  double kept(std::size_t i, const std::vector<double>& of_units) const {
-    double sum = 0, low = of_units[near_[begin_[i]].unit], high = low;
-    for (std::size_t n = begin_[i]; n < begin_[i + 1]; ++n) {
-      const double v = of_units[near_[n].unit];
-      if (std::isinf(v)) return v;
-      sum = multiply_add(near_[n].weight, v, sum);
-      low = std::min(low, v), high = std::max(high, v);
-    }
-    return std::clamp(sum, low, high);
-  }
-
-  static constexpr std::array<std::size_t, 6> six{0, 4, 8, 1, 5, 2};  ///< xx yy zz xy yz zx in nine
-  struct Near {
-    std::uint32_t unit;
-    float weight;
-  };
-  Plane plane_;
-  std::vector<std::size_t> begin_;  ///< of each point, in near_
-  std::vector<Near> near_;
-};
-
 }  // namespace
 
 struct FieldWriter::Impl {
@@ -256,13 +54,13 @@ struct FieldWriter::Impl {
   std::vector<xdmf::Body> bodies;
   std::vector<xdmf::Frame> frames;  ///< on disk
   std::optional<hdf5::Image> geometry, data;
-  xdmf::Frame frame;                                 ///< described by `data`
-  std::vector<std::vector<double>> shares;           ///< of each body, from its first snapshot on
-  std::vector<std::optional<Plane>> recovered;       ///< of each body: its points have recovered values too
-  std::vector<std::unique_ptr<AtPoints>> at_points;  ///< of these, from the first snapshot on
-  Means means;
-  CellFields
-      cells;  ///< these two for their memory: pages asked for anew cost as much as what is written on them
+  xdmf::Frame frame;                            ///< described by `data`
+  std::vector<std::vector<double>> shares;      ///< of each body, from its first snapshot on
+  std::vector<std::optional<Plane>> recovered;  ///< of each body: its points have recovered values too
+  std::vector<std::unique_ptr<RecoveredFields>> at_points;  ///< of these, from the first snapshot on
+  CellMeans means;
+  /// These two are kept for their memory: new pages cost as much as writing to them.
+  CellFields cells;
   std::vector<double> point_rows;
   std::future<void> writing;  ///< of `frame`, by commit_later()
 
@@ -342,7 +140,7 @@ void FieldWriter::snapshot(std::size_t body, long step, double time, const doubl
   const std::size_t points = impl_->bodies[body].points, cells = impl_->bodies[body].cells;
   impl_->shares.resize(impl_->bodies.size());
   std::vector<double>& share = impl_->shares[body];
-  if (share.empty()) share = shares_of(d, cells);
+  if (share.empty()) share = volume_shares(d, cells);
   CellFields& means = impl_->cells;
   impl_->means.fill(d, u, share, cells, impl_->bodies[body].both, means);
 
@@ -358,10 +156,10 @@ void FieldWriter::snapshot(std::size_t body, long step, double time, const doubl
   if (impl_->bodies[body].plastic) image.dataset(group + "/plastic_strain", means.plastic, {cells, 1});
   if (impl_->bodies[body].both) {
     impl_->at_points.resize(impl_->bodies.size());
-    std::unique_ptr<AtPoints>& at = impl_->at_points[body];
-    if (!at) at = std::make_unique<AtPoints>(d, *impl_->recovered[body]);
+    std::unique_ptr<RecoveredFields>& at = impl_->at_points[body];
+    if (!at) at = std::make_unique<RecoveredFields>(d, *impl_->recovered[body]);
     at->fill(means);
-    const CellFields& read = at->values;
+    const CellFields& read = at->values();
     image.dataset(group + "/recovered_stress", read.stress, {points, 9});
     image.dataset(group + "/recovered_strain", read.strain, {points, 9});
     image.dataset(group + "/recovered_equivalent_stress", read.equivalent, {points, 1});

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "model/numerics/principal.hpp"
+#include "model/results/flow_limit.hpp"
 #include "model/results/recovery.hpp"
 
 namespace femsph {

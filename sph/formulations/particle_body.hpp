@@ -78,6 +78,7 @@ class ParticleBody : public Discretization {
   std::size_t owner_of(const Point& x) const;
   void share_out(const SidePiece& piece, std::vector<PointArea>& out) const;
   void weigh_by_area(std::vector<Weight>& points) const;
+  std::vector<PointArea> facet_areas(const std::vector<Weight>& points) const;
   bool in_body(std::size_t i) const;
   bool steps_ = false;  ///< a lattice in a body that is no box: its sides cut cells
   std::vector<double> mass_;

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <Eigen/LU>
 #include <stdexcept>
 
 #include "model/numerics/vectors.hpp"
@@ -31,8 +32,7 @@ OperatorRows operator_rows(const Particles& particles, const Kernel& kernel, con
   for (std::size_t i = 0; i < area.size(); ++i) {
     whole[i] = (1 / particles.part[i]) * area[i];
     for (const MirrorPlane& m : particles.planes)
-      if (std::abs(particles.position[i][m.axis] - m.at) < 1e-6 * particles.spacing)
-        whole[i][std::size_t(m.axis)] = 0;
+      if (particles.on_plane(i, m)) whole[i][std::size_t(m.axis)] = 0;
   }
   Projection made = project(particles, *out.rows, whole, filled);
   if (made.needless) return out;
@@ -51,32 +51,25 @@ Tensor<double, 3> correction_of(const Particles& particles, std::size_t particle
                                 const Row& row, Boundary boundary) {
   const int dim = particles.dim;
   const Point& x = particles.position[particle];
-  double m[3][3] = {};
+  Eigen::Matrix3d M = Eigen::Matrix3d::Zero();
   if (boundary == Boundary::weight) {
-    for (int a = 0; a < dim; ++a) m[a][a] = rows.kernel_sum(particle);
+    for (int a = 0; a < dim; ++a) M(a, a) = rows.kernel_sum(particle);
   } else {
     for (const Neighbour& j : row)
       for (int a = 0; a < dim; ++a)
         for (int c = 0; c < dim; ++c)
-          m[a][c] += j.w[a] * (particles.position[std::size_t(j.index)][c] - x[c]);
+          M(a, c) += j.w[a] * (particles.position[std::size_t(j.index)][std::size_t(c)] - x[std::size_t(c)]);
   }
-  if (dim == 2) m[2][2] = 1;
-  double cofactor[3][3];
-  for (int a = 0; a < 3; ++a)
-    for (int c = 0; c < 3; ++c) {
-      const int a1 = (a + 1) % 3, a2 = (a + 2) % 3, c1 = (c + 1) % 3, c2 = (c + 2) % 3;
-      cofactor[a][c] = m[a1][c1] * m[a2][c2] - m[a1][c2] * m[a2][c1];
-    }
-  const double det = m[0][0] * cofactor[0][0] + m[0][1] * cofactor[0][1] + m[0][2] * cofactor[0][2];
-  if (!(det > 1e-6))
+  if (dim == 2) M(2, 2) = 1;
+  if (!(M.determinant() > 1e-6))
     throw Refusal(fmt::format(
         "particle {} at ({:g}, {:g}, {:g}) m has too few neighbours for a corrected gradient; "
-        "take a finer spacing or a larger "
-        "smoothing length",
+        "take a finer spacing or a larger smoothing length",
         particle, x[0], x[1], x[2]));
+  const Eigen::Matrix3d inverse = M.inverse();
   Tensor<double, 3> B;
   for (int a = 0; a < 3; ++a)
-    for (int c = 0; c < 3; ++c) B[a][c] = cofactor[c][a] / det;
+    for (int c = 0; c < 3; ++c) B[a][c] = inverse(a, c);
   return B;
 }
 

@@ -2,10 +2,12 @@
 
 #include <cmath>
 
+#include "model/numerics/semidefinite.hpp"
 #include "model/numerics/vectors.hpp"
 #include "model/scene/shapes/multilinear.hpp"
 #include "sph/operators/gradient_operator.hpp"
 #include "sph/particles/cell_list.hpp"
+#include "sph/particles/mesh_cells.hpp"
 
 namespace femsph::sph {
 
@@ -18,14 +20,11 @@ std::vector<Point> operator_areas(const Particles& particles, const Kernel& kern
     const Tensor<double, 3> B = correction_of(particles, i, *rows, row, options.boundary);
     for (const Neighbour& n : row) {
       const std::size_t j = std::size_t(n.index);
-      const bool image = j >= particles.size();
-      const std::size_t own = image ? particles.mirrored[j - particles.size()].of : j;
+      const std::size_t own = particles.own(j);
       for (int a = 0; a < particles.dim; ++a) {
         double G = 0;
         for (int c = 0; c < particles.dim; ++c) G += n.w[c] * B[c][a];
-        out[own][std::size_t(a)] += particles.own_volume(i) * G *
-                                    (image ? particles.mirrored[j - particles.size()].sign[std::size_t(a)]
-                                           : 1.0);
+        out[own][std::size_t(a)] += particles.own_volume(i) * G * particles.sign(j, a);
         out[i][std::size_t(a)] -= particles.own_volume(i) * G;
       }
     }
@@ -50,32 +49,6 @@ std::vector<double> distances(const Particles& particles, const std::vector<Side
       out[i] = std::min(out[i], dot(off, off));
     });
   return out;
-}
-
-/// Solves A x = b, symmetric and positive semidefinite, b in its range: what has no pivot stays 0.
-std::vector<double> solved(std::vector<std::vector<double>> A, std::vector<double> b) {
-  const std::size_t n = b.size();
-  double most = 0;
-  for (std::size_t k = 0; k < n; ++k) most = std::max(most, A[k][k]);
-  std::vector<char> used(n, 0);
-  std::vector<std::size_t> order;
-  for (std::size_t step = 0; step < n; ++step) {
-    std::size_t pivot = n;
-    for (std::size_t k = 0; k < n; ++k)
-      if (!used[k] && A[k][k] > 1e-10 * most && (pivot == n || A[k][k] > A[pivot][pivot])) pivot = k;
-    if (pivot == n) break;
-    used[pivot] = 1;
-    order.push_back(pivot);
-    for (std::size_t r = 0; r < n; ++r) {
-      if (r == pivot || A[r][pivot] == 0) continue;
-      const double factor = A[r][pivot] / A[pivot][pivot];
-      for (std::size_t c = 0; c < n; ++c) A[r][c] -= factor * A[pivot][c];
-      b[r] -= factor * b[pivot];
-    }
-  }
-  std::vector<double> x(n, 0.0);
-  for (const std::size_t k : order) x[k] = b[k] / A[k][k];
-  return x;
 }
 
 }  // namespace
@@ -113,8 +86,11 @@ std::vector<PointArea> balanced_side(
     }
     return out;
   };
-  std::vector<std::vector<double>> matrix(sides * motions, std::vector<double>(sides * motions, 0.0));
-  std::vector<double> lacking(sides * motions, 0.0);
+  const std::size_t unknowns = sides * motions;
+  std::vector<double> matrix(unknowns * unknowns, 0.0), lacking(unknowns, 0.0);
+  const auto entry = [&](std::size_t s, std::size_t k, std::size_t t, std::size_t l) -> double& {
+    return matrix[(s * motions + k) * unknowns + t * motions + l];
+  };
   const auto meet = [&](std::size_t s, std::size_t t, std::size_t i) {
     return s != t && far[s][i] < radius * radius && far[t][i] < radius * radius;
   };
@@ -127,11 +103,13 @@ std::vector<PointArea> balanced_side(
         for (std::size_t k = 0; k < motions && meet(s, t, i); ++k)
           for (std::size_t l = 0; l < motions; ++l) {
             const double both = dot(motion(k, i), motion(l, i));
-            matrix[s * motions + k][s * motions + l] += both;
-            matrix[s * motions + k][t * motions + l] -= both;
+            entry(s, k, s, l) += both;
+            entry(s, k, t, l) -= both;
           }
     }
-  const std::vector<double> m = solved(std::move(matrix), std::move(lacking));
+  double most = 0;
+  for (std::size_t k = 0; k < unknowns; ++k) most = std::max(most, matrix[k * unknowns + k]);
+  const std::vector<double> m = solve_semidefinite(matrix, lacking, 1e-10 * most).x;
   std::vector<PointArea> out = hats[0];
   for (std::size_t i = 0; i < n; ++i) {
     Point more = theta[0][i] * areas[i];
@@ -144,15 +122,8 @@ std::vector<PointArea> balanced_side(
 }
 
 std::vector<SidePiece> free_sides(const CellMesh& mesh, double size) {
-  Topology cells{mesh.dim == 2 ? Topology::Kind::quadrilaterals : Topology::Kind::hexahedra, {}};
-  constexpr std::array<std::size_t, 8> vtk{0, 1, 3, 2, 4, 5, 7, 6};
-  for (const auto& own : mesh.cells) {
-    std::array<std::size_t, 8> c{};
-    for (std::size_t v = 0; v < std::size_t(1) << mesh.dim; ++v) c[v] = std::size_t(own[vtk[v]]);
-    cells.cells.push_back(c);
-  }
   std::vector<SidePiece> out;
-  for (const Facet& f : boundary_of(cells)) {
+  for (const Facet& f : boundary_of(topology_of(mesh.dim, mesh.cells))) {
     const auto x = [&](std::size_t k) { return mesh.vertices[f.points[k]]; };
     if (mesh.dim == 2)
       add_pieces({1, {x(0), x(1)}}, size, 1, out);

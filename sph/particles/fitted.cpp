@@ -8,10 +8,10 @@
 #include <numeric>
 #include <stdexcept>
 
-#include "model/motion/discretization.hpp"
 #include "model/numerics/vectors.hpp"
 #include "model/scene/shapes/multilinear.hpp"
 #include "model/scene/shapes/structured.hpp"
+#include "sph/particles/mesh_cells.hpp"
 #include "sph/particles/partial_volumes.hpp"
 #include "sph/particles/particles.hpp"
 
@@ -75,21 +75,13 @@ void sort_vertices(CellMesh& mesh, double spacing) {
 
 /// The vertices on free sides of the cells, beyond which the body does not go on.
 std::vector<char> on_the_rim(const CellMesh& mesh, const std::vector<MirrorPlane>& planes) {
-  Topology cells{mesh.dim == 2 ? Topology::Kind::quadrilaterals : Topology::Kind::hexahedra, {}};
-  constexpr std::array<std::size_t, 8> vtk{0, 1, 3, 2, 4, 5, 7, 6};
-  for (const auto& own : mesh.cells) {
-    std::array<std::size_t, 8> c{};
-    for (std::size_t v = 0; v < std::size_t(1) << mesh.dim; ++v) c[v] = std::size_t(own[vtk[v]]);
-    cells.cells.push_back(c);
-  }
   std::vector<char> rim(mesh.vertices.size(), 0);
-  for (const Facet& facet : boundary_of(cells)) {
+  for (const Facet& facet : boundary_of(topology_of(mesh.dim, mesh.cells))) {
     const Point &p = mesh.vertices[facet.points[0]], &q = mesh.vertices[facet.points[1]],
                 &r = mesh.vertices[facet.points[mesh.dim == 3 ? 2 : 1]];
     const double tolerance = 1e-6 * std::hypot(q[0] - p[0], q[1] - p[1], q[2] - p[2]);
     if (std::any_of(planes.begin(), planes.end(), [&](const MirrorPlane& m) {
-          return std::max({std::abs(p[m.axis] - m.at), std::abs(q[m.axis] - m.at),
-                           std::abs(r[m.axis] - m.at)}) < tolerance;
+          return m.holds(p, tolerance) && m.holds(q, tolerance) && m.holds(r, tolerance);
         }))
       continue;
     for (int k = 0; k < 2 * (mesh.dim - 1); ++k) rim[facet.points[std::size_t(k)]] = 1;
@@ -152,8 +144,7 @@ std::optional<Particles> fill_fitted(const Shape& shape, const Options& options,
                   p.volume);  // what the chords of a round side leave out
   double count = 0;
   for (std::size_t i = 0; i < p.size(); ++i) {
-    for (const MirrorPlane& m : planes)
-      if (std::abs(p.position[i][m.axis] - m.at) < 1e-6 * p.spacing) p.part[i] *= 0.5;
+    p.part[i] = part_of(p.position[i], p.spacing, planes);
     p.volume[i] /= p.part[i];  // that of the body with its images
     p.fraction[i] = std::min(p.fraction[i] / p.part[i], 1.0);
     count += p.part[i];

@@ -3,8 +3,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "model/motion/discretization.hpp"
+#include "model/numerics/semidefinite.hpp"
 #include "model/scene/shapes/multilinear.hpp"
+#include "sph/particles/mesh_cells.hpp"
 
 namespace femsph::sph {
 
@@ -81,17 +82,10 @@ class Hats {
   /// Cells of the lattice whose inside a free side of the mesh's cells crosses; one that lies on the lattice
   /// crosses none.
   void mark_sides(const CellMesh& mesh) {
-    Topology cells{dim_ == 2 ? Topology::Kind::quadrilaterals : Topology::Kind::hexahedra, {}};
-    constexpr std::array<std::size_t, 8> vtk{0, 1, 3, 2, 4, 5, 7, 6};
-    for (const auto& own : mesh.cells) {
-      std::array<std::size_t, 8> c{};
-      for (std::size_t v = 0; v < std::size_t(1) << dim_; ++v) c[v] = std::size_t(own[vtk[v]]);
-      cells.cells.push_back(c);
-    }
-    for (const Facet& facet : boundary_of(cells)) {
+    for (const Facet& facet : boundary_of(topology_of(dim_, mesh.cells))) {
       Patch patch{dim_ - 1, {}};
       for (int v = 0; v < patch.corner_count(); ++v)
-        patch.corners[v] = mesh.vertices[facet.points[std::size_t(vtk[std::size_t(v)])]];
+        patch.corners[v] = mesh.vertices[facet.points[lexicographic[std::size_t(v)]]];
       const auto n = cuts(patch, 0.5 * spacing_);
       for (int j = 0; j < n[1]; ++j)
         for (int i = 0; i < n[0]; ++i)
@@ -297,41 +291,37 @@ bool follows_sides(const Shape& shape, const Lattice& lattice) {
 
 void match_moments(const Shape& shape, const std::vector<MirrorPlane>& planes, const std::vector<Point>& at,
                    const std::vector<char>& which, std::vector<double>& volume) {
-  const int n = shape.dim() + 1;
+  const std::size_t n = std::size_t(shape.dim()) + 1;
   const Point centroid = shape.centroid(), lower = shape.lower(), upper = shape.upper();
   const double measure = shape.measure();
-  double A[4][5] = {};  // of the unknowns a and b, lengths over those of the bounding box; the last column
-                        // the right-hand side
-  A[0][n] = measure;
+  /// 1 and x - c, lengths over those of the bounding box: of the unknowns a and b.
+  const auto basis = [&](const Point& x) {
+    std::array<double, 4> q{1, 0, 0, 0};
+    for (std::size_t a = 1; a < n; ++a) q[a] = (x[a - 1] - centroid[a - 1]) / (upper[a - 1] - lower[a - 1]);
+    return q;
+  };
+  std::vector<double> matrix(n * n, 0.0), lacking(n, 0.0);
+  lacking[0] = measure;
   for (std::size_t i = 0; i < at.size(); ++i) {
-    double r[4] = {1, 0, 0, 0};
-    for (int a = 1; a < n; ++a) r[a] = (at[i][a - 1] - centroid[a - 1]) / (upper[a - 1] - lower[a - 1]);
-    for (int a = 0; a < n; ++a) {
-      A[a][n] -= volume[i] * r[a];
-      for (int b = 0; which[i] && b < n; ++b) A[a][b] += volume[i] * r[a] * r[b];
+    const auto q = basis(at[i]);
+    for (std::size_t a = 0; a < n; ++a) {
+      lacking[a] -= volume[i] * q[a];
+      for (std::size_t b = 0; which[i] && b < n; ++b) matrix[a * n + b] += volume[i] * q[a] * q[b];
     }
   }
-  for (const MirrorPlane& m : planes)
-    for (int a = 0; a <= n; ++a) A[m.axis + 1][a] = a < n ? A[a][m.axis + 1] = 0 : 0;
-  double worst = 0;
-  for (int a = 0; a < n; ++a) worst = std::max(worst, std::abs(A[a][n]));
-  if (worst <= 1e-13 * measure) return;
-  for (int a = 0; a < n; ++a)
-    for (int b = a + 1; b < n; ++b) {
-      const double factor = A[a][a] > 1e-12 * A[0][0] ? A[b][a] / A[a][a] : 0.0;
-      for (int c = a; c <= n; ++c) A[b][c] -= factor * A[a][c];
-    }
-  double x[4] = {};
-  for (int a = n - 1; a >= 0; --a) {
-    double rest = A[a][n];
-    for (int b = a + 1; b < n; ++b) rest -= A[a][b] * x[b];
-    x[a] = A[a][a] > 1e-12 * A[0][0] ? rest / A[a][a] : 0.0;
+  for (const MirrorPlane& m : planes) {
+    const std::size_t across = std::size_t(m.axis) + 1;
+    for (std::size_t a = 0; a < n; ++a) matrix[across * n + a] = matrix[a * n + across] = 0;
+    lacking[across] = 0;
   }
+  const auto larger = [](double a, double b) { return std::abs(a) < std::abs(b); };
+  if (std::abs(*std::max_element(lacking.begin(), lacking.end(), larger)) <= 1e-13 * measure) return;
+  const std::vector<double> x = solve_semidefinite(matrix, lacking, 1e-12 * matrix[0]).x;
   for (std::size_t i = 0; i < at.size(); ++i) {
     if (!which[i]) continue;
-    double scale = 1 + x[0];
-    for (int a = 1; a < n; ++a)
-      scale += x[a] * (at[i][a - 1] - centroid[a - 1]) / (upper[a - 1] - lower[a - 1]);
+    const auto q = basis(at[i]);
+    double scale = 1;
+    for (std::size_t a = 0; a < n; ++a) scale += x[a] * q[a];
     volume[i] *= scale;
   }
 }

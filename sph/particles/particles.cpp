@@ -17,14 +17,6 @@ namespace {
 
 constexpr double least_share_outside = 0.2, least_share_inside = 1e-3;  ///< of a cell
 
-/// Of a particle's volume: a half belongs to the body on a symmetry plane, a quarter on two.
-double part_of(const Point& x, double spacing, const std::vector<MirrorPlane>& planes) {
-  double part = 1;
-  for (const MirrorPlane& m : planes)
-    if (std::abs(x[m.axis] - m.at) < 1e-6 * spacing) part *= 0.5;
-  return part;
-}
-
 bool deep_inside(const Lattice& lattice, const std::array<int, 3>& at, int dim) {
   for (int a = 0; a < 27; ++a) {
     const int di = a % 3 - 1, dj = a / 3 % 3 - 1, dk = a / 9 - 1;
@@ -42,11 +34,6 @@ void give_volumes(Particles& p, const Shape& shape, MassRule rule, const std::ve
   for (double part : p.part) count += part;
   const double share = shape.measure() / count;
   p.volume.assign(p.size(), rule == MassRule::share ? share : p.cell);
-}
-
-std::size_t slot_of(const Lattice& lattice, const std::array<int, 3>& at) {
-  return std::size_t(at[0]) + std::size_t(lattice.count[0]) *
-                                  (std::size_t(at[1]) + std::size_t(lattice.count[1]) * std::size_t(at[2]));
 }
 
 /// Mirrors a place beyond a symmetry plane back into the body.
@@ -97,10 +84,8 @@ void number_by_slabs(Particles& p) {
   };
   reorder(p.position), reorder(p.volume), reorder(p.fraction), reorder(p.part), reorder(lattice.place);
   for (std::size_t i = 0; i < order.size(); ++i) {
-    const auto& at = lattice.place[i];
-    lattice.at[std::size_t(at[0]) +
-               std::size_t(lattice.count[0]) *
-                   (std::size_t(at[1]) + std::size_t(lattice.count[1]) * std::size_t(at[2]))] = int(i);
+    const auto [x, y, z] = lattice.place[i];
+    lattice.at[lattice.slot(x, y, z)] = int(i);
   }
 }
 
@@ -167,8 +152,10 @@ Particles fill(const Shape& shape, const Options& options, const std::vector<Mir
         "no particle of spacing {:g} mm lies in the body; take a finer spacing", options.spacing * 1e3));
   give_volumes(p, shape, options.mass, planes);
   if (partial) {
-    for (std::size_t i = 0; i < p.size(); ++i)
-      p.volume[i] = p.cell * (volumes.share[slot_of(lattice, lattice.place[i])] / p.part[i]);
+    for (std::size_t i = 0; i < p.size(); ++i) {
+      const auto [x, y, z] = lattice.place[i];
+      p.volume[i] = p.cell * (volumes.share[lattice.slot(x, y, z)] / p.part[i]);
+    }
     hand_over(p, volumes, planes);
   }
   p.fraction.assign(p.size(), 1.0);
@@ -185,6 +172,13 @@ Particles fill(const Shape& shape, const Options& options, const std::vector<Mir
     number_by_slabs(p);
   }
   return p;
+}
+
+double part_of(const Point& x, double spacing, const std::vector<MirrorPlane>& planes) {
+  double part = 1;
+  for (const MirrorPlane& m : planes)
+    if (m.holds(x, 1e-6 * spacing)) part *= 0.5;
+  return part;
 }
 
 std::vector<MirrorPlane> mirror_planes(const Scene& scene, std::size_t body) {
@@ -249,9 +243,7 @@ void add_mirrored(Particles& p, const std::vector<MirrorPlane>& planes, double r
   for (std::size_t i = 0; i < lattice.place.size(); ++i) {
     auto& place = lattice.place[i];
     for (int a = 0; a < 3; ++a) place[a] -= first[a];
-    lattice.at[std::size_t(place[0]) +
-               std::size_t(lattice.count[0]) *
-                   (std::size_t(place[1]) + std::size_t(lattice.count[1]) * place[2])] = int(i);
+    lattice.at[lattice.slot(place[0], place[1], place[2])] = int(i);
   }
 }
 

@@ -3,6 +3,7 @@
 // neighbours are near in memory; jittered: in slabs (number_by_slabs).
 
 #include <array>
+#include <cmath>
 #include <optional>
 #include <string>
 #include <vector>
@@ -20,9 +21,13 @@ struct Lattice {
   Point origin{};
   std::vector<int> at;
   std::vector<std::array<int, 3>> place;  ///< of each particle
+  /// Of a grid place, in `at`.
+  std::size_t slot(int i, int j, int k) const {
+    return std::size_t(i) + std::size_t(count[0]) * (std::size_t(j) + std::size_t(count[1]) * std::size_t(k));
+  }
   int particle(int i, int j, int k) const {
     if (i < 0 || j < 0 || k < 0 || i >= count[0] || j >= count[1] || k >= count[2]) return -1;
-    return at[std::size_t(i) + std::size_t(count[0]) * (std::size_t(j) + std::size_t(count[1]) * k)];
+    return at[slot(i, j, k)];
   }
 };
 
@@ -38,30 +43,47 @@ struct MirrorPlane {
   int axis;
   double at;
   bool upper;  ///< the plane is the body's upper side
+  bool holds(const Point& x, double tolerance) const {
+    return std::abs(x[std::size_t(axis)] - at) < tolerance;
+  }
 };
 std::vector<MirrorPlane> mirror_planes(const Scene& scene, std::size_t body);
+/// Of a particle's volume, what belongs to the body: 1/2 on a symmetry plane, 1/4 on two, else 1.
+double part_of(const Point& x, double spacing, const std::vector<MirrorPlane>& planes);
 
 struct Particles {
   int dim = 2;
-  double spacing = 0;            ///< d, the smallest over the axes, m
-  double cell = 0;               ///< d^dim, m^dim
-  std::vector<Point> position;   ///< m; the body's own particles, then the mirrored ones
-  std::vector<double> volume;    ///< V_i by the mass rule, m^dim (an area in 2D, without the thickness)
-  std::vector<double> fraction;  ///< f_i, share of the full angle that the body (with its images) fills
-                                 ///< there: 1 inside, 1/2 on a face, 1/4 on an edge
-  std::vector<double>
-      kernel_volume;         ///< of a neighbour in kernel sums, m^dim: V_i, or V_i / f_i (set_kernel_volumes)
-  std::vector<double> part;  ///< of V_i that belongs to the body: 1/2 on a symmetry plane, 1/4 on two, else 1
+  double spacing = 0;           ///< d, the smallest over the axes, m
+  double cell = 0;              ///< d^dim, m^dim
+  std::vector<Point> position;  ///< m; the body's own particles, then the mirrored ones
+  /// V_i by the mass rule, m^dim (an area in 2D, without the thickness).
+  std::vector<double> volume;
+  /// f_i, share of the full angle that the body (with its images) fills there: 1 inside, 1/2 on a face, 1/4
+  /// on an edge.
+  std::vector<double> fraction;
+  /// K_i, of a neighbour in kernel sums, m^dim: V_i, or V_i / f_i (set_kernel_volumes).
+  std::vector<double> kernel_volume;
+  std::vector<double> part;         ///< part_of() each particle
   std::vector<Mirrored> mirrored;   ///< the last of `position`
   std::vector<MirrorPlane> planes;  ///< that these are mirrored in
   Lattice lattice;
-  std::vector<std::array<int, 8>>
-      cells;  ///< of a fitted body in place of the lattice: the particles are their corners (lexicographic)
+  /// Of a fitted body in place of the lattice: the particles are the cells' corners, in lexicographic order.
+  std::vector<std::array<int, 8>> cells;
   std::string note;  ///< what the user should know of the filling; empty: nothing
-  bool regular =
-      true;  ///< false once jittered: the lattice then only says which particles are where; and when fitted
+  /// False once jittered, when the lattice only says which particles are where, and in a fitted body.
+  bool regular = true;
+
   std::size_t size() const { return position.size() - mirrored.size(); }  ///< of the body's own
   double own_volume(std::size_t i) const { return volume[i] * part[i]; }
+  /// The particle itself, or the one that it mirrors.
+  std::size_t own(std::size_t i) const { return i < size() ? i : mirrored[i - size()].of; }
+  /// Of component a of a vector at particle i, if that of own(i) is known.
+  double sign(std::size_t i, int a) const {
+    return i < size() ? 1.0 : mirrored[i - size()].sign[std::size_t(a)];
+  }
+  bool on_plane(std::size_t i, const MirrorPlane& plane) const {
+    return plane.holds(position[i], 1e-6 * spacing);
+  }
 };
 
 /// The spacing is adjusted per axis so that particles sit on both ends of the body's bounding box.

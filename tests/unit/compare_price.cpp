@@ -125,7 +125,7 @@ methods = ["fem-full"]
 spacing = ["20 mm", "10 mm", "5 mm"]
 [[runs]]
 methods = ["sph-corrected"]
-supports = [1.0, 1.2]
+smoothing_lengths = [1.0, 1.2]
 spacing = ["20 mm", "10 mm", "5 mm"]
 [[runs]]
 methods = ["fem-sri"]
@@ -239,9 +239,13 @@ TEST_F(Prices, SlipsInPrices) {
   EXPECT_THAT(message("ladder = \"limit\"", "ladder = \"limt\""), HasSubstr("did you mean \"limit\"?"));
   EXPECT_THAT(message("[\"4 mm\", \"2 mm\", \"1 mm\"]", "[\"4 mm\", \"2 mm\"]"),
               HasSubstr("at 2 spacings; expected three or more"));
-  EXPECT_THAT(message("supports = [1.0, 1.2]", "supports = [0, 1.2]"), HasSubstr("a number from 0.6 to 4"));
-  EXPECT_THAT(message("methods = [\"fem-full\"]", "methods = [\"fem-full\"]\nsupports = [1.0]"),
-              HasSubstr("\"supports\" with fem-full"));
+  EXPECT_THAT(message("smoothing_lengths = [1.0, 1.2]", "smoothing_lengths = [0, 1.2]"),
+              HasSubstr("a number from 0.6 to 4"));
+  EXPECT_THAT(message("methods = [\"fem-full\"]", "methods = [\"fem-full\"]\nsmoothing_lengths = [1.0]"),
+              HasSubstr("\"smoothing_lengths\" with fem-full"));
+  EXPECT_THAT(
+      message("smoothing_lengths = [1.0, 1.2]", "supports = [1.0, 1.2]"),
+      EndsWith(":11:12: \"supports\" is the old name of \"smoothing_lengths\"; expected the new name"));
   EXPECT_THAT(message("repeat = 3", "repeat = 0"), HasSubstr("repeat"));
 }
 

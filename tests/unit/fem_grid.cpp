@@ -8,7 +8,10 @@
 #include "fem/mesh/deal_ii.hpp"
 #include "fem/mesh/grid.hpp"
 #include "fem_support.hpp"
-#include "model/scene/shapes/shapes.hpp"
+#include "model/scene/shapes/box.hpp"
+#include "model/scene/shapes/disc.hpp"
+#include "model/scene/shapes/quadrilateral.hpp"
+#include "model/scene/shapes/round.hpp"
 
 namespace femsph::test {
 namespace {

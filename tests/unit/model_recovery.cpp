@@ -10,6 +10,7 @@
 #include "model/input/faults.hpp"
 #include "model/numerics/principal.hpp"
 #include "model/numerics/vectors.hpp"
+#include "model/results/flow_limit.hpp"
 #include "model/results/recovery.hpp"
 
 namespace femsph::test {

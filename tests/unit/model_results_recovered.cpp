@@ -6,6 +6,7 @@
 
 #include "model/numerics/vectors.hpp"
 #include "model/results/fields.hpp"
+#include "model/results/flow_limit.hpp"
 #include "model/results/recovery.hpp"
 #include "tests/unit/model_grid.hpp"
 #include "tests/unit/model_results_hdf5.hpp"

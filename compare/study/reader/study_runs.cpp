@@ -71,27 +71,32 @@ std::vector<std::string> read_cases(Fields& fields, const std::vector<Resolution
   return defaults;
 }
 
-/// `supports`: smoothing lengths over the spacing, each a method of its own. None given: the methods as they
-/// are.
-std::vector<std::optional<double>> read_supports(Fields& fields, const std::vector<Method>& chosen,
-                                                 const Overrides& overrides) {
-  const auto given = fields.numbers("supports", Need::optional);
+/// Smoothing lengths over the spacing, each a method of its own. None given: the methods as they are.
+std::vector<std::optional<double>> read_smoothing_lengths(Fields& fields, const std::vector<Method>& chosen,
+                                                          const Overrides& overrides) {
+  const char* const key = "smoothing_lengths";
+  if (fields.has("supports")) {
+    fields.accept("supports");  // one message: not that it is unknown as well
+    fields.fault("supports", "\"supports\" is the old name of \"smoothing_lengths\"; expected the new name");
+    return {std::nullopt};
+  }
+  const auto given = fields.numbers(key, Need::optional);
   if (!given) return {std::nullopt};
   if (given->empty() ||
       std::any_of(given->begin(), given->end(), [](double h) { return !option_range("smoothing").holds(h); }))
-    fields.fault("supports", fmt::format("\"supports\" holds something else than {}; expected smoothing "
-                                         "lengths over the spacing, such as [1.0, 1.2, 1.4]",
-                                         option_range("smoothing").describe()));
+    fields.fault(key, fmt::format("\"smoothing_lengths\" holds something else than {}; expected smoothing "
+                                  "lengths over the spacing, such as [1.0, 1.2, 1.4]",
+                                  option_range("smoothing").describe()));
   if (overrides.smoothing || fields.has("label"))
-    fields.fault("supports", "\"supports\" beside a smoothing or a label; expected one of them");
+    fields.fault(key, "\"smoothing_lengths\" beside a smoothing or a label; expected one of them");
   for (const Method& method : chosen)
     if (method.is_fem())
-      fields.fault("supports", fmt::format("\"supports\" with {}; expected it with SPH only", method.name));
+      fields.fault(key, fmt::format("\"smoothing_lengths\" with {}; expected it with SPH only", method.name));
   return {given->begin(), given->end()};
 }
 
-std::string support_label(const std::optional<double>& support) {
-  return support ? fmt::format(" h={:g}d", *support) : "";
+std::string smoothing_label(const std::optional<double>& smoothing) {
+  return smoothing ? fmt::format(" h={:g}d", *smoothing) : "";
 }
 
 /// Elements of bodies that bring their own cells have one resolution, whatever the spacing: several would be
@@ -131,14 +136,15 @@ void one_block(Fields& fields, StudyReading& reading, int ladder) {
   Overrides overrides;
   if (auto options = fields.table("options", Need::optional, "a table such as {smoothing = 1.2}"))
     overrides = read_overrides(*options, chosen);
-  const auto supports = read_supports(fields, chosen, overrides);
+  const auto smoothing_lengths = read_smoothing_lengths(fields, chosen, overrides);
   fields.done();
   for (std::size_t i = 0; i < resolutions.size(); ++i)
     for (const Method& method : chosen)
-      for (const auto& support : supports) {
+      for (const auto& smoothing : smoothing_lengths) {
         Overrides changes = overrides;
-        if (support) changes.smoothing = support;
-        const std::string name = label.value_or(method.name + overrides.describe() + support_label(support));
+        if (smoothing) changes.smoothing = smoothing;
+        const std::string name = label.value_or(
+            method.name + overrides.describe() + smoothing_label(smoothing));
         PlannedRun run{cases[i], name, method, resolutions[i], file, {}, false, ladder};
         changes.apply(run.method);
         if (safety) run.march.safety = *safety;
