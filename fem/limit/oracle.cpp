@@ -12,6 +12,7 @@
 #include <stdexcept>
 
 #include "fem/explicit_fem.hpp"
+#include "fem/fem.hpp"
 
 namespace femsph::fem {
 

@@ -306,5 +306,3 @@ class TotalLagrangian final : public ParticleBody {
 };
 
 }  // namespace femsph::sph
-
-#include "sph/formulations/total_lagrangian_output.hpp"
