@@ -4,7 +4,8 @@ methods = "fem-full fem-one-point fem-assumed-strain sph-classic-share sph-corre
 # A method that broke off early is missing from the file.
 columns(name) = system("head -1 '".file(name)."' | tr ',' ' ' | tr -d '\\r'")
 present(name) = \
-    system("for m in ".methods."; do head -1 '".file(name)."' | tr ',' '\\n' | tr -d '\\r' | grep -qx $m && printf '%s ' $m; done")
+    system("for m in ".methods."; do head -1 '".file(name)."' | tr ',' '\\n' | tr -d '\\r' | " . \
+      "grep -qx $m && printf '%s ' $m; done")
 
 set output figure("spin-energy")
 set title "spinning plate, ten turns (exact start: 229.17 kJ)"
