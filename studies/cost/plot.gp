@@ -17,8 +17,8 @@ fitted(s, m, \
 # two columns of the key
 shown_as(m) = system("printf '%s' '".name(m)."' | sed s/sph-corrected-own-volume/sph-own-volume/")
 label(s, m, k) = shown_as(m).(strlen(fitted(s, m, k)) > 0 ? sprintf(" (%s)", fitted(s, m, k)) : "")
-style_in(list, \
-    i) = list eq plain ? (i < 5 ? i : i == 5 ? 5 : i == 6 ? 10 : 11) : i == 1 ? 5 : i == 4 ? 10 : 40 + i
+style_in(list, i) = \
+    list eq plain ? (i < 5 ? i : i == 5 ? 5 : i == 6 ? 10 : 11) : i == 1 ? 5 : i == 4 ? 10 : 40 + i
 
 # Classic warm, corrected cold.
 set style line 42 lc rgb "#E69F00" lw 2 dt (10, 4, 3, 4) pt 6
