@@ -8,6 +8,7 @@
 #include <thread>
 
 #include "compare/program/commands.hpp"
+#include "compare/program/manual.hpp"
 #include "compare/run/interruption.hpp"
 #include "compare/run/run_output.hpp"
 #include "compare/study/reader/study.hpp"
@@ -216,6 +217,10 @@ int run_program(int argc, char** argv) {
 
   CLI::App* list_app = app.add_subcommand("list", "list studies and methods");
 
+  std::string shell;  // hidden: what the build installs
+  CLI::App* manual_app = app.add_subcommand("manual", "print femsph(1), or --completion bash")->group("");
+  manual_app->add_option("--completion", shell, "bash");
+
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
@@ -235,6 +240,13 @@ int run_program(int argc, char** argv) {
   if (*point_app) return point_command(point);
   if (*advise_app) return advise_command(advise);
   if (*list_app) return list_command(argv[0]);
+  if (*manual_app) {
+    if (!shell.empty() && shell != "bash")
+      throw BadCommand(fmt::format("--completion cannot be {}; expected bash", in_quotes(shell)));
+    fmt::print("{}", shell.empty() ? manual_page(app, version_line(), exit_codes)
+                                   : bash_completion(app, option_words()));
+    return done;
+  }
   return bad_command;
 }
 
