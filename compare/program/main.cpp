@@ -79,7 +79,7 @@ void add_method_options(CLI::App* command, RunCommand& c) {
                     "uniform stress is then not exact");
   command->add_option("--safety", c.safety, "step = safety x critical step; above 0, up to 1")
       ->capture_default_str();
-  command->add_option("--threads", c.threads, "threads of every loop, up to 512")->capture_default_str();
+  command->add_option("--threads", c.threads, "threads of every loop, up to 512")->default_str("all");
 }
 
 void add_run_options(CLI::App* command, RunCommand& c) {
@@ -150,8 +150,7 @@ int run_program(int argc, char** argv) {
       ->capture_default_str();
   study_app->add_flag("--quick", study.quick, "the short form: coarse cases only");
   study_app->add_flag("--update-readme", study.update_readme, "write the table into the study's README.md");
-  study_app->add_option("--threads", study.threads, "threads of every loop, up to 512")
-      ->capture_default_str();
+  study_app->add_option("--threads", study.threads, "threads of every loop, up to 512")->default_str("all");
 
   RunCommand run;
   run.threads = all;
