@@ -6,6 +6,7 @@
 #include <limits>
 #include <stdexcept>
 
+#include "fem/fem.hpp"
 #include "fem/mesh/geometry.hpp"
 #include "model/numerics/least_squares.hpp"
 #include "model/numerics/parallel.hpp"

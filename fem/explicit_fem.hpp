@@ -6,10 +6,10 @@
 #include <vector>
 
 #include "fem/elements/cell_loop.hpp"
-#include "fem/fem.hpp"
 #include "fem/mesh/batches.hpp"
 #include "fem/mesh/locator.hpp"
 #include "fem/mesh/mesh.hpp"
+#include "fem/options.hpp"
 #include "fem/truss_bars.hpp"
 
 namespace femsph::fem {

@@ -2,7 +2,8 @@
 if (format eq "svg") {
   set terminal svg size 800,520 enhanced font "DejaVu Sans,15" background "white"
 } else {
-  set terminal pngcairo size 1600,1040 enhanced font "DejaVu Sans,15" fontscale 1.6 linewidth 2 pointscale 1.8 background "white"
+  set terminal pngcairo size 1600,1040 enhanced font "DejaVu Sans,15" fontscale 1.6 linewidth 2 pointscale \
+      1.8 background "white"
 }
 set datafile separator comma
 set encoding utf8
@@ -16,7 +17,8 @@ file(name) = data."/".name.".csv"
 # More than its header line: a quick run leaves some series empty.
 has(name) = int(system("wc -l < '".file(name)."' 2>/dev/null || echo 0")) > 1
 
-# Colours: Okabe and Ito, and Tol, which the colour-blind tell apart. FEM: solid lines, filled marks. SPH: dashed lines, open marks.
+# Colours: Okabe and Ito, and Tol, which the colour-blind tell apart. FEM: solid lines, filled marks. SPH:
+# dashed lines, open marks.
 set style line 1 lc rgb "#0072B2" lw 2 dt 1 pt 5 ps 0.9
 set style line 2 lc rgb "#56B4E9" lw 2 dt 1 pt 7 ps 0.9
 set style line 3 lc rgb "#009E73" lw 2 dt 1 pt 9 ps 1.0

@@ -104,8 +104,8 @@ int study_command(const StudyCommand& command);
 /// `femsph list`: the studies found, the methods and the theory values. Returns 0.
 int list_command(const std::string& program);
 
-/// The folder that holds the studies: $FEMSPH_STUDIES, else ./studies, else ../../studies beside the program.
-/// Throws std::runtime_error.
+/// The folder that holds the studies: $FEMSPH_STUDIES, else ./studies, else beside the program
+/// ../share/femsph/studies (installed) or ../../studies (build tree). Throws BadCommand.
 std::string studies_folder(const std::string& program);
 
 /// study_command with another engine.

@@ -8,6 +8,7 @@
 #include <thread>
 
 #include "compare/program/commands.hpp"
+#include "compare/program/manual.hpp"
 #include "compare/run/interruption.hpp"
 #include "compare/run/run_output.hpp"
 #include "compare/study/reader/study.hpp"
@@ -78,7 +79,7 @@ void add_method_options(CLI::App* command, RunCommand& c) {
                     "uniform stress is then not exact");
   command->add_option("--safety", c.safety, "step = safety x critical step; above 0, up to 1")
       ->capture_default_str();
-  command->add_option("--threads", c.threads, "threads of every loop, up to 512")->capture_default_str();
+  command->add_option("--threads", c.threads, "threads of every loop, up to 512")->default_str("all");
 }
 
 void add_run_options(CLI::App* command, RunCommand& c) {
@@ -149,8 +150,7 @@ int run_program(int argc, char** argv) {
       ->capture_default_str();
   study_app->add_flag("--quick", study.quick, "the short form: coarse cases only");
   study_app->add_flag("--update-readme", study.update_readme, "write the table into the study's README.md");
-  study_app->add_option("--threads", study.threads, "threads of every loop, up to 512")
-      ->capture_default_str();
+  study_app->add_option("--threads", study.threads, "threads of every loop, up to 512")->default_str("all");
 
   RunCommand run;
   run.threads = all;
@@ -216,6 +216,10 @@ int run_program(int argc, char** argv) {
 
   CLI::App* list_app = app.add_subcommand("list", "list studies and methods");
 
+  std::string shell;  // hidden: what the build installs
+  CLI::App* manual_app = app.add_subcommand("manual", "print femsph(1), or --completion bash")->group("");
+  manual_app->add_option("--completion", shell, "bash");
+
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
@@ -235,6 +239,13 @@ int run_program(int argc, char** argv) {
   if (*point_app) return point_command(point);
   if (*advise_app) return advise_command(advise);
   if (*list_app) return list_command(argv[0]);
+  if (*manual_app) {
+    if (!shell.empty() && shell != "bash")
+      throw BadCommand(fmt::format("--completion cannot be {}; expected bash", in_quotes(shell)));
+    fmt::print("{}", shell.empty() ? manual_page(app, version_line(), exit_codes)
+                                   : bash_completion(app, option_words()));
+    return done;
+  }
   return bad_command;
 }
 

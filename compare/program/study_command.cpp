@@ -77,12 +77,13 @@ void write_tables(const Study& study, const std::vector<Row>& rows, const fs::pa
   write_text(csv(orders), (folder / "orders.csv").string());
 }
 
-int write_figures(const Study& study, const fs::path& folder) {
+int write_figures(const Study& study, const StudyCommand& command, const fs::path& folder) {
   const fs::path script = fs::path(study.folder) / "plot.gp";
   if (!fs::exists(script)) return 0;
   try {
-    make_figures(script.string(), (fs::path(study.folder) / ".." / "style.gp").string(),
-                 (folder / "data").string(), folder.string());
+    fs::path style = fs::path(study.folder) / ".." / "style.gp";
+    if (!fs::exists(style)) style = fs::path(studies_folder(command.program)) / "style.gp";
+    make_figures(script.string(), style.string(), (folder / "data").string(), folder.string());
     return 0;
   } catch (const std::runtime_error& e) {
     complain(e.what());
@@ -185,7 +186,7 @@ int run_one(const Study& study, const StudyCommand& command, const Engine& engin
     table += markdown(followed);
   }
   failures += write_claims(study, own, command.quick, top, table);
-  failures += write_figures(study, top);
+  failures += write_figures(study, command, top);
   if (command.update_readme) update_readme(study, table);
   print(fmt::format("{}: {}", study.name, (top / "table.md").string()));
   rows.insert(rows.end(), own.begin(), own.end());
@@ -201,10 +202,12 @@ std::string studies_folder(const std::string& program) {
     throw BadCommand(fmt::format("FEMSPH_STUDIES is {}, which is no folder", in_quotes(given)));
   }
   if (fs::is_directory("studies", ignored)) return "studies";
-  fs::path beside = fs::read_symlink("/proc/self/exe", ignored);
-  if (beside.empty()) beside = program;
-  beside = (beside.parent_path() / ".." / ".." / "studies").lexically_normal();
-  if (fs::is_directory(beside, ignored)) return beside.string();
+  fs::path self = fs::read_symlink("/proc/self/exe", ignored);
+  if (self.empty()) self = program;
+  for (const char* beside : {"../share/femsph/studies", "../../studies"}) {  // installed; in the build tree
+    const fs::path folder = (self.parent_path() / beside).lexically_normal();
+    if (fs::is_directory(folder, ignored)) return folder.string();
+  }
   throw BadCommand(
       "no folder of studies; expected ./studies, or its path in the environment variable FEMSPH_STUDIES");
 }

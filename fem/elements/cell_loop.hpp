@@ -5,8 +5,8 @@
 #include <memory>
 #include <optional>
 
-#include "fem/fem.hpp"
 #include "fem/mesh/batches.hpp"
+#include "fem/options.hpp"
 #include "model/motion/discretization.hpp"
 #include "model/numerics/archive.hpp"
 

@@ -10,7 +10,7 @@ namespace femsph {
 
 /// All numbers are shares of a scale of the same run; 0: kept.
 struct Drift {
-  double energy = 0;            ///< largest |Ledger::imbalance| over the largest energy of the run
+  double energy = 0;            ///< largest size of Ledger::imbalance() over the largest energy of the run
   double momentum = 0;          ///< see Conservation
   double angular_momentum = 0;  ///< see Conservation
   double hourglass =

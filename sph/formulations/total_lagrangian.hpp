@@ -86,5 +86,3 @@ class TotalLagrangian final : public StiffnessBody<dim, Stencils, correction> {
 };
 
 }  // namespace femsph::sph
-
-#include "sph/formulations/total_lagrangian_output.hpp"

@@ -2,7 +2,7 @@
 // Included by total_lagrangian_2d.cpp and _3d.cpp alone.
 
 #include "sph/formulations/discretize.hpp"
-#include "sph/formulations/total_lagrangian.hpp"
+#include "sph/formulations/total_lagrangian_output.hpp"
 
 namespace femsph::sph {
 

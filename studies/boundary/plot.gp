@@ -25,7 +25,9 @@ set xtics (2.5, 5, 10)
 set xlabel "spacing d, mm"
 do for [name in "tip-error fibre-error"] {
   set output figure(name)
-  set ylabel (name eq "tip-error" ? "error of the tip's deflection, %" : "error of the outer fibre's stress, %")
-  plot for [m in methods] file(name) using (column("spacing_mm")):(abs(column(m))) with linespoints ls style_of(m) title m, \
+  set ylabel (name eq "tip-error" ? "error of the tip's deflection, %" : \
+      "error of the outer fibre's stress, %")
+  plot for [m in methods] file(name) using (column("spacing_mm")):(abs(column(m))) with linespoints ls \
+      style_of(m) title m, \
        10.0 * x / 10 with lines ls 21 title "slope 1"
 }

@@ -10,8 +10,10 @@ set ylabel "missing at the surface, % of the kernel sum"
 set xtics noenhanced
 set yrange [0:*]
 if (has("fig18-weight")) {
-  plot file("fig18-weight") using "sph-classic-full":xtic(1) ls style_of("sph-classic-full") lw 0.5 dt 1 title "kernel sum, h = d", \
-       25.0 with lines ls 21 title "1 of 4 nearest missing (2D)", 100.0 / 6 with lines ls 20 title "1 of 6 nearest missing (3D)"
+  plot file("fig18-weight") using "sph-classic-full":xtic(1) ls style_of("sph-classic-full") lw 0.5 dt 1 \
+      title "kernel sum, h = d", \
+       25.0 with lines ls 21 title "1 of 4 nearest missing (2D)", \
+           100.0 / 6 with lines ls 20 title "1 of 6 nearest missing (3D)"
 }
 
 set output figure("fig19-tip-error")
@@ -36,6 +38,7 @@ set xlabel "time, ms"
 set ylabel "deflection of the tip, mm"
 set title "sph-classic-full"
 if (has("fig19-tip")) {
-  plot for [i = 1:words(cases)] file("fig19-tip") using "time_ms":word(cases, i) with lines ls 30 + i title word(cases, i), \
+  plot for [i = 1:words(cases)] file("fig19-tip") using "time_ms":word(cases, \
+      i) with lines ls 30 + i title word(cases, i), \
        file("fig19-tip") using "time_ms":"theory" with lines ls 20 title "beam theory"
 }

@@ -6,7 +6,8 @@ do for [v in "5 10 20"] {
   set output figure("wall-".v)
   set title v." m/s"
   if (has("wall-".v)) {
-    plot for [m in "fem-full sph-corrected"] file("wall-".v) using "time_us":m with lines ls style_of(m) title m, \
+    plot for [m in "fem-full sph-corrected"] file("wall-".v) using "time_us":m with lines ls style_of(m) \
+        title m, \
          file("wall-".v) using "time_us":"theory" with lines ls 20 title "plateau of 1D theory"
   }
 }

@@ -6,9 +6,11 @@ set ylabel "height, mm"
 set xlabel "stress along the beam at x = 100 mm, MPa"
 do for [name in "fig16-stress-share fig16-stress-own-volume fig16-stress-corrected"] {
   set output figure(name)
-  set title (name eq "fig16-stress-share" ? "sph-classic-share" : name eq "fig16-stress-own-volume" ? "sph-corrected-own-volume" : "sph-corrected")
+  set title (name eq "fig16-stress-share" ? "sph-classic-share" : name eq "fig16-stress-own-volume" ? \
+      "sph-corrected-own-volume" : "sph-corrected")
   if (has(name)) {
-    plot for [i = 1:words(cases)] file(name) using word(cases, i):"distance_mm" with linespoints ls 30 + i title word(cases, i), \
+    plot for [i = 1:words(cases)] file(name) using word(cases, \
+        i):"distance_mm" with linespoints ls 30 + i title word(cases, i), \
          file(name) using "theory":"distance_mm" with lines ls 20 title "beam theory"
   }
 }
@@ -19,7 +21,8 @@ do for [name in "fig17-tip-share fig17-tip-corrected"] {
   set output figure(name)
   set title (name eq "fig17-tip-share" ? "sph-classic-share" : "sph-corrected")
   if (has(name)) {
-    plot for [i = 1:words(cases)] file(name) using "time_ms":word(cases, i) with lines ls 30 + i title word(cases, i), \
+    plot for [i = 1:words(cases)] file(name) using "time_ms":word(cases, \
+        i) with lines ls 30 + i title word(cases, i), \
          file(name) using "time_ms":"theory" with lines ls 20 title "beam theory"
   }
 }
@@ -32,7 +35,8 @@ set xlabel "spacing or cell edge d, mm"
 do for [name in "tip-error tip-error-limit"] {
   set output figure(name)
   set ylabel (name eq "tip-error" ? "error against beam theory, %" : "error against the elastic limit, %")
-  plot for [m in methods] file(name) using (column("spacing_mm")):(abs(column(m))) with linespoints ls style_of(m) title m, \
+  plot for [m in methods] file(name) using (column("spacing_mm")):(abs(column(m))) with linespoints ls \
+      style_of(m) title m, \
        20.0 * x / 10 with lines ls 21 title "slope 1", \
        1.0 * (x / 10)**2 with lines ls 21 dt 5 title "slope 2"
 }

@@ -3,7 +3,9 @@ load style
 methods = "fem-full fem-one-point fem-assumed-strain sph-classic-share sph-corrected"
 # A method that broke off early is missing from the file.
 columns(name) = system("head -1 '".file(name)."' | tr ',' ' ' | tr -d '\\r'")
-present(name) = system("for m in ".methods."; do head -1 '".file(name)."' | tr ',' '\\n' | tr -d '\\r' | grep -qx $m && printf '%s ' $m; done")
+present(name) = \
+    system("for m in ".methods."; do head -1 '".file(name)."' | tr ',' '\\n' | tr -d '\\r' | " . \
+      "grep -qx $m && printf '%s ' $m; done")
 
 set output figure("spin-energy")
 set title "spinning plate, ten turns (exact start: 229.17 kJ)"
@@ -11,21 +13,24 @@ set xlabel "time, s"
 set ylabel "kinetic energy, kJ"
 set yrange [226:234]
 if (has("spin-energy")) {
-  plot for [m in present("spin-energy")] file("spin-energy") using "time_s":m with lines ls style_of(m) title m
+  plot for [m in present("spin-energy")] file("spin-energy") using "time_s":m with lines ls style_of(m) \
+      title m
 }
 set yrange [*:*]
 set output figure("bending-top")
 set title "bending column"
 set ylabel "displacement of the top, m"
 if (has("bending-top")) {
-  plot for [m in present("bending-top")] file("bending-top") using "time_s":m with lines ls style_of(m) title m
+  plot for [m in present("bending-top")] file("bending-top") using "time_s":m with lines ls style_of(m) \
+      title m
 }
 set output figure("twist-corner")
 set title "twisting column"
 set ylabel "displacement of a corner of the top, x, m"
 set yrange [-1.5:0.5]
 if (has("twist-corner")) {
-  plot for [m in present("twist-corner")] file("twist-corner") using "time_s":m with lines ls style_of(m) title m
+  plot for [m in present("twist-corner")] file("twist-corner") using "time_s":m with lines ls style_of(m) \
+      title m
 }
 set yrange [*:*]
 set output figure("strip-stress")
@@ -34,7 +39,8 @@ set xlabel "time, ms"
 set ylabel "stress in the middle, MPa"
 set yrange [0.8:1.4]
 if (has("strip-stress")) {
-  plot for [m in present("strip-stress")] file("strip-stress") using "time_ms":m with lines ls style_of(m) title m
+  plot for [m in present("strip-stress")] file("strip-stress") using "time_ms":m with lines ls style_of(m) \
+      title m
 }
 set yrange [*:*]
 set output figure("wander")
@@ -47,5 +53,6 @@ set output figure("rings-force")
 set title "colliding rings"
 set ylabel "contact force a metre of depth, kN"
 if (has("rings-force")) {
-  plot for [m in present("rings-force")] file("rings-force") using "time_ms":m with lines ls style_of(m) title m
+  plot for [m in present("rings-force")] file("rings-force") using "time_ms":m with lines ls style_of(m) \
+      title m
 }

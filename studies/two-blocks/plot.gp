@@ -4,10 +4,12 @@ set ylabel "vertical strain, %"
 names = "'fem-full' 'sph-classic-share h' 'sph-classic-share h/2' 'sph-corrected'"
 do for [f in "table2-strain table2-side-strain plastic-strain"] {
   set output figure(f)
-  set xlabel (f eq "table2-side-strain" ? "distance from the axis of B at half its height, mm" : "depth below A along the axis of B, mm")
+  set xlabel (f eq "table2-side-strain" ? "distance from the axis of B at half its height, mm" : \
+      "depth below A along the axis of B, mm")
   set ylabel (f eq "plastic-strain" ? "equivalent plastic strain, %" : "vertical strain, %")
   if (has(f)) {
-    plot for [i = 1:words(names)] file(f) using "distance_mm":word(names, i) with linespoints ls (i == 1 ? 1 : i == 2 ? 6 : i == 3 ? 5 : 10) title word(names, i)
+    plot for [i = 1:words(names)] file(f) using "distance_mm":word(names, \
+        i) with linespoints ls (i == 1 ? 1 : i == 2 ? 6 : i == 3 ? 5 : 10) title word(names, i)
   }
 }
 
@@ -20,5 +22,6 @@ set size ratio -1
 set palette defined (0 "#332288", 1 "#56B4E9", 2 "#F0E442", 3 "#D55E00")
 set cbrange [0:*]
 if (has("fig21-equivalent-000")) {
-  plot for [k = 0:20] file(sprintf("fig21-equivalent-%03d", 5 * k)) using "distance_mm":(5 * k):"fem-full" with points pt 5 ps 2.4 palette
+  plot for [k = 0:20] file(sprintf("fig21-equivalent-%03d", \
+      5 * k)) using "distance_mm":(5 * k):"fem-full" with points pt 5 ps 2.4 palette
 }

@@ -31,6 +31,7 @@ slope(d) = 40.0 * d / 10
 do for [name in "fig11-displacement-error stress-error"] {
   set output figure(name)
   set ylabel (name eq "stress-error" ? "error of the stress, %" : "error of the displacement, %")
-  plot for [m in methods] file(name) using (column("spacing_mm")):(abs(column(m))) with linespoints ls style_of(m) title m, \
+  plot for [m in methods] file(name) using (column("spacing_mm")):(abs(column(m))) with linespoints ls \
+      style_of(m) title m, \
        slope(x) with lines ls 21 title "slope 1"
 }

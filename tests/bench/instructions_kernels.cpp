@@ -6,7 +6,7 @@
 #include "fem/elements/cell_loop_impl.hpp"
 #include "fem/elements/one_point.hpp"
 #include "sph/formulations/discretize.hpp"
-#include "sph/formulations/total_lagrangian.hpp"
+#include "sph/formulations/total_lagrangian_output.hpp"
 
 namespace femsph {
 
