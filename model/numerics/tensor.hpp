@@ -82,4 +82,20 @@ FEMSPH_INLINE T invert(const Tensor<T, dim>& M, Tensor<T, dim>& inverse) {
   return det;
 }
 
+/// The inverse of a matrix is cofactor^T / det.
+struct Cofactors {
+  Tensor<double, 3> cofactor;
+  double det;
+};
+inline Cofactors cofactors(const Tensor<double, 3>& M) {
+  Cofactors r;
+  for (int a = 0; a < 3; ++a)
+    for (int c = 0; c < 3; ++c) {
+      const int a1 = (a + 1) % 3, a2 = (a + 2) % 3, c1 = (c + 1) % 3, c2 = (c + 2) % 3;
+      r.cofactor[a][c] = M[a1][c1] * M[a2][c2] - M[a1][c2] * M[a2][c1];
+    }
+  r.det = M[0][0] * r.cofactor[0][0] + M[0][1] * r.cofactor[0][1] + M[0][2] * r.cofactor[0][2];
+  return r;
+}
+
 }  // namespace femsph

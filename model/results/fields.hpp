@@ -31,7 +31,7 @@ class FieldWriter {
 
   /// Geometry of a body, which must outlive the writer; call once per body, before the first commit.
   /// FEM: its cells; SPH: vertices (Polyvertex). With `recovered`, the scene's plane, every snapshot also has
-  /// stress and strain at the points by the rule of motion/recovery.hpp. Returns the body's number for
+  /// stress and strain at the points by the rule of results/recovery.hpp. Returns the body's number for
   /// snapshot().
   std::size_t add_body(const std::string& name, const Discretization& body,
                        std::optional<Plane> recovered = {});

@@ -29,7 +29,7 @@ inline constexpr std::array<Field, 6> fields{
 inline constexpr Field plastic_strain{
     "plastic_strain", "Scalar", 1, false};  ///< equivalent; of bodies whose law has it
 
-/// Stress and strain by the rule of motion/recovery.hpp, at the points: the same reading for meshes and
+/// Stress and strain by the rule of results/recovery.hpp, at the points: the same reading for meshes and
 /// particles.
 inline constexpr std::array<Field, 4> recovered{
     {{"recovered_stress", "Tensor", 9, true},

@@ -2,7 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <Eigen/LU>
 #include <stdexcept>
 
 #include "model/numerics/vectors.hpp"
@@ -51,25 +50,25 @@ Tensor<double, 3> correction_of(const Particles& particles, std::size_t particle
                                 const Row& row, Boundary boundary) {
   const int dim = particles.dim;
   const Point& x = particles.position[particle];
-  Eigen::Matrix3d M = Eigen::Matrix3d::Zero();
+  Tensor<double, 3> M{};
   if (boundary == Boundary::weight) {
-    for (int a = 0; a < dim; ++a) M(a, a) = rows.kernel_sum(particle);
+    for (int a = 0; a < dim; ++a) M[a][a] = rows.kernel_sum(particle);
   } else {
     for (const Neighbour& j : row)
       for (int a = 0; a < dim; ++a)
         for (int c = 0; c < dim; ++c)
-          M(a, c) += j.w[a] * (particles.position[std::size_t(j.index)][std::size_t(c)] - x[std::size_t(c)]);
+          M[a][c] += j.w[a] * (particles.position[std::size_t(j.index)][std::size_t(c)] - x[std::size_t(c)]);
   }
-  if (dim == 2) M(2, 2) = 1;
-  if (!(M.determinant() > 1e-6))
+  if (dim == 2) M[2][2] = 1;
+  const auto [cofactor, det] = cofactors(M);
+  if (!(det > 1e-6))
     throw Refusal(fmt::format(
         "particle {} at ({:g}, {:g}, {:g}) m has too few neighbours for a corrected gradient; "
         "take a finer spacing or a larger smoothing length",
         particle, x[0], x[1], x[2]));
-  const Eigen::Matrix3d inverse = M.inverse();
   Tensor<double, 3> B;
   for (int a = 0; a < 3; ++a)
-    for (int c = 0; c < 3; ++c) B[a][c] = inverse(a, c);
+    for (int c = 0; c < 3; ++c) B[a][c] = cofactor[c][a] / det;
   return B;
 }
 

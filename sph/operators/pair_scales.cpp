@@ -1,7 +1,5 @@
 #include "sph/operators/pair_scales.hpp"
 
-#include <Eigen/Cholesky>
-#include <Eigen/LU>
 #include <cmath>
 
 #include "model/numerics/parallel.hpp"
@@ -135,14 +133,18 @@ void PairScales<dim>::find_pairs_that_look_back() {
 
 template <int dim>
 bool PairScales<dim>::invert(std::size_t i) {
-  using Matrix = Eigen::Matrix<double, dim, dim>;
-  using Map = Eigen::Map<Eigen::Matrix<double, dim, 1>>;
-  Matrix M = Matrix::Zero();
+  Tensor<double, 3> M{};
+  if (dim == 2) M[2][2] = 1;
   for (std::size_t k = begin_[i]; k < begin_[i + 1]; ++k)
-    M += scale_[k] * Map(x_[k].data()) * Map(x_[k].data()).transpose();
-  const Matrix B = M.inverse();
-  for (std::size_t k = begin_[i]; k < begin_[i + 1]; ++k) Map(b_[k].data()) = B * Map(x_[k].data());
-  return M.determinant() > 1e-6 && Eigen::LLT<Matrix>(M).info() == Eigen::Success;
+    for (int a = 0; a < dim; ++a)
+      for (int c = 0; c < dim; ++c) M[a][c] += scale_[k] * x_[k][a] * x_[k][c];
+  const auto [cofactor, det] = cofactors(M);
+  for (std::size_t k = begin_[i]; k < begin_[i + 1]; ++k)
+    for (int a = 0; a < dim; ++a) {
+      b_[k][a] = 0;
+      for (int c = 0; c < dim; ++c) b_[k][a] += cofactor[c][a] / det * x_[k][c];
+    }
+  return det > 1e-6 && M[0][0] > 0 && cofactor[2][2] > 0;  // positive definite
 }
 
 /// Of row i: d scale = W J^T lambda, told to `take`, and the change of G that it makes:

@@ -185,9 +185,9 @@ TEST(SphRecovery, ClampedCornerAndLoadedEnd) {
             }));
     return read_at(*d, Recovery(d->material_units()), u, p, Plane::stress).stress[0];
   };
-  const double growth = read(32, {0, 0.5, 0}) / read(16, {0, 0.5, 0});
-  EXPECT_GT(growth, 1.1);
-  EXPECT_LT(growth, std::pow(2, 1 - 0.76));
+  const double ratio = read(32, {0, 0.5, 0}) / read(16, {0, 0.5, 0});
+  EXPECT_GT(ratio, 1.1);
+  EXPECT_LT(ratio, std::pow(2, 1 - 0.76));
   EXPECT_NEAR(read(8, {2, 0.1, 0}), 1, 0.005);
 }
 
