@@ -2,7 +2,7 @@
 
 #include <gmock/gmock.h>
 
-#include "compare/reference/beam.hpp"
+#include "compare/reference/values/beam.hpp"
 #include "compare/reference/theory.hpp"
 #include "compare_support.hpp"
 

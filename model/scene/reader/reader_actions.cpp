@@ -116,7 +116,9 @@ void read_supports(Fields& root, Reading& reading) {
       read_rigid_support(fields, *place, reading);
       continue;
     }
-    const auto fixed = read_fixed(fields, reading.dim);
+    // Of an unknown place it is not known which components there are.
+    const auto fixed = !place && fields.has("fix") ? (fields.accept("fix"), std::nullopt)
+                                                   : read_fixed(fields, reading.dim);
     const auto mean = fields.choice<bool>("mode", Need::optional, {{"each", false}, {"mean", true}});
     const auto velocity = fields.vector("velocity", Need::optional, dimension::velocity, reading.dim);
     const auto history = read_history(fields);

@@ -18,6 +18,7 @@ std::optional<std::array<std::size_t, 2>> read_between(Fields& fields, const Rea
                "between", fmt::format("\"between\" does not name two bodies; expected {}", expected)),
            std::nullopt;
   const std::vector<std::string> names = body_names(reading.scene);
+  if (names.empty()) return {};  // said where bodies are read
   std::array<std::size_t, 2> between{};
   for (int k = 0; k < 2; ++k) {
     const auto found = std::find(names.begin(), names.end(), (*given)[k]);
