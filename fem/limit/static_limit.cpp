@@ -264,18 +264,18 @@ class StaticSolver {
     return values_at(quantity, quantity.on_material ? material_at(p) : motion_at(p), 3);
   }
 
-  PointState motion_at(const Point& p) const {
+  StateAtPoint motion_at(const Point& p) const {
     dealii::Vector<double> u(dim);
     dealii::VectorTools::point_value(dofs_, solution_, from_point(p), u);
-    PointState at;
+    StateAtPoint at;
     at.displacement = {u[0], u[1], dim == 3 ? u[dim - 1] : 0.0};
     return at;
   }
 
-  PointState material_at(const Point& p) const {
+  StateAtPoint material_at(const Point& p) const {
     std::vector<dealii::Tensor<1, dim>> H(dim);
     dealii::VectorTools::point_gradient(dofs_, solution_, from_point(p), H);
-    PointState at;
+    StateAtPoint at;
     auto &e = at.strain, &s = at.stress;
     double trace = 0;
     for (int i = 0; i < dim; ++i) trace += H[i][i];

@@ -9,8 +9,8 @@ namespace femsph {
 
 namespace {
 
-PointState state_of(const MaterialState& state, std::size_t k) {
-  PointState at;
+StateAtPoint state_of(const MaterialState& state, std::size_t k) {
+  StateAtPoint at;
   at.stress = state.stress[k], at.strain = state.strain[k];
   at.plastic = state.plastic.empty() ? 0.0 : state.plastic[k];
   return at;
@@ -92,7 +92,7 @@ std::vector<double> Recorder::read_material(const March& march, const Reading& r
   }
   if (reading.raw) state.flow_stress.clear();
   const Recovered here = recovered(reading.weights, state, march.scene().plane);
-  PointState at;
+  StateAtPoint at;
   at.stress = here.stress, at.strain = here.strain, at.plastic = here.plastic;
   return values_at(quantity, at, march.scene().dim());
 }
@@ -102,7 +102,7 @@ std::vector<double> Recorder::read(const March& march, const Reading& reading) c
   const MovingBody& body = march.body(reading.body);
   const Layout& layout = body.discretization->layout();
   const int dim = march.scene().dim();
-  PointState at;
+  StateAtPoint at;
   for (const Weight& w : reading.weights)
     for (int c = 0; c < dim; ++c) {
       const std::size_t slot = layout.at(w.point, c);

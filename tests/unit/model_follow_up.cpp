@@ -110,14 +110,16 @@ TEST(FollowUp, TheSceneItselfIsGood) { EXPECT_EQ(said(good), ""); }
 
 TEST(FollowUp, OfAShape) {
   EXPECT_EQ(said(with(good, block, "shape = \"mesh\"\nfile = \"none.msh\"\nunit = \"mm\"\nthickness")),
-            "none.msh: no such file; expected a Gmsh file (.msh)");
-  EXPECT_EQ(said(with(good, block, "shape = \"boxx\"\nsize = [\"40 mm\", \"40 mm\"]\nthickness")),
-            "\"shape\" is \"boxx\"; expected \"box\", \"disc\", \"sphere\", \"mesh\", \"ring\", \"cylinder\", "
-            "\"tube\", \"quadrilateral\" or \"ball\"; did you mean \"box\"?");
+            "no such file \"none.msh\"; expected a .msh file of Gmsh");
+  EXPECT_EQ(
+      said(with(good, block, "shape = \"boxx\"\nsize = [\"40 mm\", \"40 mm\"]\nthickness")),
+      "\"shape\" is \"boxx\"; expected \"box\", \"disc\", \"sphere\", \"mesh\", \"ring\", \"cylinder\", "
+      "\"tube\", \"quadrilateral\" or \"ball\"; did you mean \"box\"?");
   EXPECT_EQ(said(with(good, block, "shape = \"box\"\nsize = [\"40 mm\"]\nthickness")),
             "\"size\" has 1 component; expected 2 (x, y) in a plane scene");
-  EXPECT_EQ(said(with(good, block, "shape = \"sphere\"\ncentre = [\"0 m\", \"0 m\"]\nradius = \"1 m\"\nthickness")),
-            "a sphere in a plane scene; expected \"disc\"");
+  EXPECT_EQ(
+      said(with(good, block, "shape = \"sphere\"\ncentre = [\"0 m\", \"0 m\"]\nradius = \"1 m\"\nthickness")),
+      "a sphere in a plane scene; expected \"disc\"");
 }
 
 TEST(FollowUp, OfATableThatIsNone) {
@@ -148,13 +150,14 @@ TEST(FollowUp, OfAMaterial) {
 }
 
 TEST(FollowUp, OfTheModel) {
-  EXPECT_EQ(said(with(good, "plane = \"strain\"", "plane = \"strains\"")),
-            "\"plane\" is \"strains\"; expected \"stress\", \"strain\" or \"none\"; did you mean \"strain\"?");
+  EXPECT_EQ(
+      said(with(good, "plane = \"strain\"", "plane = \"strains\"")),
+      "\"plane\" is \"strains\"; expected \"stress\", \"strain\" or \"none\"; did you mean \"strain\"?");
 }
 
 TEST(FollowUp, OfARigidBody) {
-  EXPECT_EQ(said(with(good, "rigid = true", "rigid = \"yes\"")),
-            "\"rigid\" is a text; expected true or false");
+  EXPECT_EQ(
+      said(with(good, "rigid = true", "rigid = \"yes\"")), "\"rigid\" is a text; expected true or false");
   EXPECT_EQ(said(with(good, "body = \"ram\"\n", "body = \"ram\"\nat = \"x-\"\n")),
             "part of body \"ram\", which is rigid; expected \"all\", which stands for its centre");
   EXPECT_EQ(said(with(good, "body = \"ram\"\n", "body = \"rma\"\n")),
@@ -170,10 +173,11 @@ TEST(FollowUp, OfAPlace) {
 }
 
 TEST(FollowUp, OfAProbe) {
-  EXPECT_EQ(said(with(good, "quantity = \"stress\"", "quantity = \"displacment\"\nreading = \"raw\"")),
-            "\"quantity\" is \"displacment\"; expected \"displacement\", \"velocity\", \"stress\", \"strain\", "
-            "\"plastic_strain\", \"equivalent_stress\" or \"principal_stress\"; did you mean "
-            "\"displacement\"?");
+  EXPECT_EQ(
+      said(with(good, "quantity = \"stress\"", "quantity = \"displacment\"\nreading = \"raw\"")),
+      "\"quantity\" is \"displacment\"; expected \"displacement\", \"velocity\", \"stress\", \"strain\", "
+      "\"plastic_strain\", \"equivalent_stress\" or \"principal_stress\"; did you mean "
+      "\"displacement\"?");
 }
 
 }  // namespace

@@ -23,7 +23,7 @@ const KeyPage page = {
       "The time.",
       {{"duration", key_holds::quantity(dimension::time), "How long.", true},
        {"samples", key_holds::count, "How many.", false, "with \"rate\""},
-       {"kind", key_holds::words({"slow", "fast"}), "Which."}}},
+       {"kind", "\"slow\" or \"fast\"", "Which."}}},
      {"[bodies.NAME]", "A body.", {{"size", key_holds::vector(dimension::length), "How large."}}}}};
 
 /// What a reader of a table that asks for something unstated is told; empty: nothing.

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cctype>
 #include <stdexcept>
 
 namespace femsph::compare {
@@ -80,8 +81,11 @@ KeyTable override_keys() {
                  "Changes to the methods, inline: options = {smoothing = 1.2}. Each of the methods must have "
                  "the option.",
                  {}};
-  for (const MethodOption& option : method_options())
-    table.keys.push_back({option.word, option.holds(), option.about + "."});
+  for (const MethodOption& option : method_options()) {
+    std::string about = option.about + ".";
+    about[0] = char(std::toupper(static_cast<unsigned char>(about[0])));
+    table.keys.push_back({option.word, option.holds(), about});
+  }
   return table;
 }
 

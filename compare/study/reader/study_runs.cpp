@@ -104,13 +104,16 @@ std::string default_case(const Resolution& resolution) {
   return n[2] > 0 ? fmt::format("{}x{}x{}", n[0], n[1], n[2]) : fmt::format("{}x{}", n[0], n[1]);
 }
 
-std::vector<std::string> read_cases(Fields& fields, const std::vector<Resolution>& resolutions) {
+/// `complete`: no resolution was at fault, so that their number counts.
+std::vector<std::string> read_cases(Fields& fields, const std::vector<Resolution>& resolutions,
+                                    bool complete) {
   std::vector<std::string> defaults;
   for (const Resolution& resolution : resolutions) defaults.push_back(default_case(resolution));
   const auto cases = fields.texts(
       "cases", Need::optional, "a list of names, one for each spacing or division");
   if (!cases) return defaults;
   if (cases->size() == resolutions.size()) return *cases;
+  if (!complete) return defaults;
   fields.fault("cases", fmt::format("{} cases for {} resolutions; expected as many", cases->size(),
                                     resolutions.size()));
   return defaults;
@@ -160,11 +163,12 @@ void one_block(Fields& fields, StudyReading& reading, int ladder) {
   const Scene* scene = scene_of(fields, "scene", file, reading);
   std::size_t faults = reading.faults.size();
   std::vector<Method> chosen = read_methods(fields, Need::required);
+  const std::size_t before = reading.faults.size();
   const auto resolutions = read_resolutions(fields, scene ? scene->dim() : 0);
-  const auto cases = read_cases(fields, resolutions);
+  const auto cases = read_cases(fields, resolutions, reading.faults.size() == before);
   const auto label = fields.text("label", Need::optional, "a name for the method in tables");
   if (reading.faults.size() > faults) reading.runs_known = false;
-  const auto quick = read_names(fields, "quick", cases, "case", !resolutions.empty());
+  const auto quick = read_names(fields, "quick", cases, "case", reading.runs_known);
   const auto step = fields.quantity("step", Need::optional, dimension::time, Sign::positive);
   const std::string safety_expected =
       "a number above 0, up to 2: the step over the critical step";  // beyond 1: to see what then happens

@@ -11,7 +11,7 @@ inline constexpr Quantity displacement{
     .components = Quantity::Components::vector,
     .on_material = false,
     .of_stress = false,
-    .read = [](const PointState& at) -> Quantity::Values {
+    .read = [](const StateAtPoint& at) -> Quantity::Values {
       return {at.displacement[0], at.displacement[1], at.displacement[2]};
     }};
 

@@ -12,6 +12,6 @@ inline constexpr Quantity equivalent_stress{
     .components = Quantity::Components::scalar,
     .on_material = true,
     .of_stress = true,
-    .read = [](const PointState& at) -> Quantity::Values { return {von_mises(at.stress)}; }};
+    .read = [](const StateAtPoint& at) -> Quantity::Values { return {von_mises(at.stress)}; }};
 
 }  // namespace femsph::quantity

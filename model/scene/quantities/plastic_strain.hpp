@@ -11,6 +11,6 @@ inline constexpr Quantity plastic_strain{
     .components = Quantity::Components::scalar,
     .on_material = true,
     .of_stress = false,
-    .read = [](const PointState& at) -> Quantity::Values { return {at.plastic}; }};
+    .read = [](const StateAtPoint& at) -> Quantity::Values { return {at.plastic}; }};
 
 }  // namespace femsph::quantity

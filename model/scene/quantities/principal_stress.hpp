@@ -12,7 +12,7 @@ inline constexpr Quantity principal_stress{
     .components = Quantity::Components::principal,
     .on_material = true,
     .of_stress = true,
-    .read = [](const PointState& at) -> Quantity::Values {
+    .read = [](const StateAtPoint& at) -> Quantity::Values {
       const std::array<double, 3> principal = principal_values(at.stress);
       return {principal[0], principal[1], principal[2]};
     }};

@@ -57,7 +57,7 @@ std::vector<std::string> component_names(const Quantity& quantity, int dim) {
   return all;
 }
 
-std::vector<double> values_at(const Quantity& quantity, const PointState& state, int dim) {
+std::vector<double> values_at(const Quantity& quantity, const StateAtPoint& state, int dim) {
   const Quantity::Values values = quantity.read(state);
   const std::size_t count = component_names(quantity, dim).size();
   return {values.begin(), values.begin() + std::ptrdiff_t(count)};

@@ -13,7 +13,7 @@
 namespace femsph {
 
 /// All that a quantity may be made of, at one point and in space. Tensors are xx yy zz xy yz zx.
-struct PointState {
+struct StateAtPoint {
   Point displacement{}, velocity{};          ///< m, m/s
   std::array<double, 6> stress{}, strain{};  ///< Pa, 1
   double plastic = 0;                        ///< equivalent plastic strain
@@ -31,7 +31,7 @@ struct Quantity {
   bool on_material;  ///< it belongs to the material (stress, strain, ..), not to the motion
   bool of_stress;    ///< what a yield surface bounds
   /// The components in space; those that it has fewer than six of stand first.
-  Values (*read)(const PointState&);
+  Values (*read)(const StateAtPoint&);
   const char* scalar_name = "equivalent";  ///< what a scalar's one component is called
 
   bool is_scalar() const { return components == Components::scalar; }
@@ -50,6 +50,6 @@ const Quantity* quantity_named(const std::string& word);
 /// vectors in a plane, yz zx out of tensors.
 std::vector<std::string> component_names(const Quantity& quantity, int dim);
 /// Its values at a point, as many as it has components.
-std::vector<double> values_at(const Quantity& quantity, const PointState& state, int dim);
+std::vector<double> values_at(const Quantity& quantity, const StateAtPoint& state, int dim);
 
 }  // namespace femsph

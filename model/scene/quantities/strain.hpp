@@ -11,6 +11,6 @@ inline constexpr Quantity strain{
     .components = Quantity::Components::tensor,
     .on_material = true,
     .of_stress = false,
-    .read = [](const PointState& at) -> Quantity::Values { return at.strain; }};
+    .read = [](const StateAtPoint& at) -> Quantity::Values { return at.strain; }};
 
 }  // namespace femsph::quantity

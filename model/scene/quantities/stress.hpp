@@ -11,6 +11,6 @@ inline constexpr Quantity stress{
     .components = Quantity::Components::tensor,
     .on_material = true,
     .of_stress = true,
-    .read = [](const PointState& at) -> Quantity::Values { return at.stress; }};
+    .read = [](const StateAtPoint& at) -> Quantity::Values { return at.stress; }};
 
 }  // namespace femsph::quantity

@@ -11,7 +11,7 @@ inline constexpr Quantity velocity{
     .components = Quantity::Components::vector,
     .on_material = false,
     .of_stress = false,
-    .read = [](const PointState& at) -> Quantity::Values {
+    .read = [](const StateAtPoint& at) -> Quantity::Values {
       return {at.velocity[0], at.velocity[1], at.velocity[2]};
     }};
 

@@ -130,7 +130,9 @@ std::optional<Place> read_place(Fields& fields, const Reading& reading) {
   const bool both = fields.has("at") && fields.has("point");
   const bool by_point = fields.has("point");
   const bool rigid = body && reading.scene.bodies[*body].rigid;
-  const auto at = fields.text("at", by_point || rigid ? Need::optional : Need::required, expected);
+  // A body without a material is rigid, or a fault hides what it is.
+  const bool needs_at = !by_point && body && !reading.scene.bodies[*body].material.empty();
+  const auto at = fields.text("at", needs_at ? Need::required : Need::optional, expected);
   const auto point = fields.vector("point", Need::optional, dimension::length, reading.dim);
   const auto within = fields.corners("within", Need::optional, dimension::length, reading.dim);
   if (both)

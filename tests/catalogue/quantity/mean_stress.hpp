@@ -11,7 +11,7 @@ inline constexpr Quantity mean_stress{
     .components = Quantity::Components::scalar,
     .on_material = true,
     .of_stress = false,
-    .read = [](const PointState& at) -> Quantity::Values {
+    .read = [](const StateAtPoint& at) -> Quantity::Values {
       return {(at.stress[0] + at.stress[1] + at.stress[2]) / 3};
     },
     .scalar_name = "mean"};
