@@ -6,7 +6,7 @@ namespace femsph::quantity {
 
 inline constexpr Quantity strain{
     .word = "strain",
-    .about = "of the law: small strain, or logarithmic at large motion",
+    .about = "small strain; at large motion U - 1 of the stretch U, turned to space",
     .unit = "1",
     .components = Quantity::Components::tensor,
     .on_material = true,
