@@ -24,7 +24,7 @@ bool of_section(Reduce reduce) {
 /// What a probe or a section reads, and of which body: never taken to be the first.
 struct ReadAt {
   std::size_t body;
-  Quantity quantity;
+  const Quantity* quantity;
 };
 ReadAt read_at(const Observed& observed, const Scene& scene) {
   for (const Section& section : scene.sections)
@@ -39,7 +39,7 @@ ReadAt read_at(const Observed& observed, const Scene& scene) {
 
 /// Where a component is in the values of the static limit, which are those of space.
 std::size_t component_index(const Observed& observed, const Scene& scene) {
-  const auto names = component_names(read_at(observed, scene).quantity, 3);
+  const auto names = component_names(*read_at(observed, scene).quantity, 3);
   const auto found = std::find(names.begin(), names.end(), observed.component);
   if (found == names.end())
     throw std::runtime_error(
@@ -93,7 +93,7 @@ double mean(const Curve& curve) {
 /// the body that the section names.
 double moment(const Curve& curve, const Section& section, const Scene& scene) {
   const Body& body = scene.bodies[section.body];
-  if (section.quantity != Quantity::stress || section.from[0] != section.to[0] ||
+  if (section.quantity != quantity_named("stress") || section.from[0] != section.to[0] ||
       section.from[2] != section.to[2])
     throw std::runtime_error(
         fmt::format("a moment is of a section of stress along y, and {} is none", in_quotes(section.name)));
@@ -141,7 +141,8 @@ double excess(const QuantitySpec& quantity, const RunResult& result, const Scene
     throw std::runtime_error(fmt::format(
         "stress and plastic strain are read in two bodies, {} and {}; expected one",
         in_quotes(scene.bodies[place.body].name), in_quotes(scene.bodies[along.body].name)));
-  if (place.quantity != Quantity::equivalent_stress || along.quantity != Quantity::plastic_strain)
+  if (place.quantity != quantity_named("equivalent_stress") ||
+      along.quantity != quantity_named("plastic_strain"))
     throw std::runtime_error("excess is of an equivalent stress, along a plastic strain");
   const Material& m = scene.material_of(scene.bodies[place.body]);
   if (!m.plasticity()) throw std::runtime_error("an elastic material has no yield curve");

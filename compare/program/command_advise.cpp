@@ -124,12 +124,12 @@ Question question_of(const AdviseCommand& c, const Scene& scene) {
         throw BadCommand(fmt::format("--methods: {} is given twice", q.methods[i].name));
   const Probe& probe = probe_of(scene, c.probe);
   q.quantity.reduce = reduce_of(scene, c.reduce);
-  const auto components = component_names(probe.quantity, scene.dim());
+  const auto components = component_names(*probe.quantity, scene.dim());
   if (!c.component.empty() &&
       std::find(components.begin(), components.end(), c.component) == components.end())
     throw BadCommand(fmt::format(
         "--component: {} has no {}; expected {}", probe.name, in_quotes(c.component), one_of(components)));
-  const std::string si = unit_of(probe.quantity);
+  const std::string si = probe.quantity->unit;
   q.quantity.observed = {
       probe.name, "",          "",
       "",         c.component, si == "m" ? Unit{"mm", 1e-3} : si == "Pa" ? Unit{"MPa", 1e6} : Unit{si, 1}};

@@ -6,7 +6,7 @@
 #include <filesystem>
 
 #include "compare/program/commands.hpp"
-#include "compare/run/plan/overrides.hpp"
+#include "compare/run/plan/method_option.hpp"
 #include "compare/run/run_output.hpp"
 #include "model/input/faults.hpp"
 #include "model/input/toml_fields.hpp"
@@ -20,55 +20,63 @@ namespace femsph::compare {
 
 namespace {
 
-template <class T>
-T word(const std::string& option, const std::string& value,
-       const std::vector<std::pair<std::string, T>>& words) {
-  std::vector<std::string> names;
-  for (const auto& [name, meaning] : words) {
-    if (name == value) return meaning;
-    names.push_back(name);
-  }
-  throw BadCommand(fmt::format(
-      "{} cannot be {}; expected {}{}", option, in_quotes(value), one_of(names), did_you_mean(value, names)));
+/// "--kernel-volume".
+std::string flag_of(const MethodOption& option) {
+  std::string flag = "--" + option.word;
+  std::replace(flag.begin(), flag.end(), '_', '-');
+  return flag;
 }
 
-double in_range(const std::string& option, const char* name, double value) {
-  const OptionRange& range = option_range(name);
-  if (range.holds(value)) return value;
+double in_range(const std::string& flag, const MethodOption& option, double value) {
+  if (option.range->holds(value)) return value;
   throw BadCommand(fmt::format(
-      "{}{} is {:g}; expected {}", option, option.ends_with(name) ? "" : fmt::format(": {}", name), value,
-      range.describe()));
+      "{}{} is {:g}; expected {}", flag, flag == flag_of(option) ? "" : fmt::format(": {}", option.word),
+      value, option.range->describe()));
 }
 
-void refuse_idle(const RunCommand& c, const Method& method) {
-  const auto refuse = [&](bool given, const std::string& option) {
-    if (const std::string why = why_idle(method, option); given && !why.empty())
-      throw BadCommand(fmt::format("--{} does nothing with {}: {}",
-                                   option == "kernel_volume" ? "kernel-volume" : option, method.name, why));
+void refuse_idle(const std::string& flag, const MethodOption& option, const Method& method) {
+  if (const std::string why = why_idle(method, option); !why.empty())
+    throw BadCommand(fmt::format("{} does nothing with {}: {}", flag, method.name, why));
+}
+
+const std::string& checked_word(const MethodOption& option, const std::string& value) {
+  if (std::find(option.words.begin(), option.words.end(), value) != option.words.end()) return value;
+  throw BadCommand(fmt::format("{} cannot be {}; expected {}{}", flag_of(option), in_quotes(value),
+                               one_of(option.words), did_you_mean(value, option.words)));
+}
+
+/// What the command line changes of a method; first whether it changes anything there, then to what.
+Overrides overrides_of(const RunCommand& c, const Method& method) {
+  std::vector<std::pair<const MethodOption*, std::string>> given;  // with their flags
+  const auto note = [&](const std::string& word, const std::string& flag) {
+    given.emplace_back(&method_option(word), flag.empty() ? flag_of(method_option(word)) : flag);
   };
-  refuse(c.smoothing.has_value(), "smoothing");
-  refuse(c.kernel.has_value(), "kernel");
-  refuse(c.mass.has_value(), "mass");
-  refuse(c.kernel_volume.has_value(), "kernel_volume");
-  refuse(c.dilatation.has_value(), "dilatation");
-  refuse(!c.viscosity.empty(), "viscosity");
-  refuse(c.hourglass.has_value(), "hourglass");
-  if (const std::string why = why_idle(method, "projection"); !c.projection && !why.empty())
-    throw BadCommand(fmt::format("--no-projection does nothing with {}: {}", method.name, why));
-}
-
-void set_sph_options(sph::Options& o, const RunCommand& c) {
-  if (c.smoothing) o.smoothing = in_range("--smoothing", "smoothing", *c.smoothing);
-  if (c.kernel) o.kernel = word("--kernel", *c.kernel, kernel_words);
-  if (c.mass) o.mass = word("--mass", *c.mass, mass_words);
-  if (c.kernel_volume) o.kernel_volume = word("--kernel-volume", *c.kernel_volume, kernel_volume_words);
-  if (c.dilatation) o.dilatation = word("--dilatation", *c.dilatation, dilatation_words);
+  for (const auto& [word, value] : c.numbers)
+    if (value) note(word, "");
+  for (const auto& [word, value] : c.words)
+    if (value) note(word, "");
+  const char* const viscosity[] = {"alpha", "beta", "gamma"};
   if (!c.viscosity.empty())
-    o.viscosity = {
-        in_range("--viscosity", "alpha", c.viscosity[0]), in_range("--viscosity", "beta", c.viscosity[1]),
-        in_range("--viscosity", "gamma", c.viscosity[2])};
-  if (c.hourglass) o.hourglass = in_range("--hourglass", "hourglass", *c.hourglass);
-  o.projection = c.projection;
+    for (const char* word : viscosity) note(word, "--viscosity");
+  if (!c.projection) note("projection", "--no-projection");
+  for (const auto& [option, flag] : given) refuse_idle(flag, *option, method);
+
+  Overrides read;
+  for (const auto& [option, flag] : given) {
+    const auto number = c.numbers.find(option->word);
+    const auto word = c.words.find(option->word);
+    if (number != c.numbers.end())
+      read.set(option->word, in_range(flag, *option, *number->second));
+    else if (word != c.words.end())
+      read.set(option->word, checked_word(*option, *word->second));
+    else if (option->range)
+      read.set(option->word,
+               in_range(flag, *option,
+                        c.viscosity[std::find(viscosity, viscosity + 3, option->word) - viscosity]));
+    else
+      read.set(option->word, false);
+  }
+  return read;
 }
 
 }  // namespace
@@ -94,11 +102,7 @@ Method method_of(const RunCommand& c) {
   } catch (const std::runtime_error& error) {
     throw BadCommand(std::string("--solver: ") + error.what());
   }
-  refuse_idle(c, m);
-  if (!m.is_fem())
-    set_sph_options(std::get<sph::Options>(m.options), c);
-  else if (c.hourglass)
-    std::get<fem::Options>(m.options).hourglass = in_range("--hourglass", "hourglass", *c.hourglass);
+  overrides_of(c, m).apply(m);
   return m;
 }
 

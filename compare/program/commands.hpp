@@ -2,6 +2,7 @@
 // What the command line asks for, and the functions that do it.
 
 #include <array>
+#include <map>
 #include <memory>
 #include <optional>
 #include <stdexcept>
@@ -19,11 +20,11 @@ struct RunCommand {
   std::string solver;  ///< sph, fem, or a method's name
   std::optional<std::string> spacing;
   std::vector<int> divisions;
-  std::optional<double> smoothing;
-  std::optional<std::string> kernel, mass, kernel_volume, dilatation;
-  std::vector<double> viscosity;  ///< alpha, beta, gamma
-  std::optional<double> hourglass;
-  bool projection = true;
+  /// Options of the method (compare/run/plan/method_options.cpp) by their words.
+  std::map<std::string, std::optional<double>> numbers;
+  std::map<std::string, std::optional<std::string>> words;
+  std::vector<double> viscosity;  ///< --viscosity: alpha, beta, gamma
+  bool projection = true;         ///< false: --no-projection
   double safety = 0.9;
   int threads = 1;
   std::string out;
@@ -101,12 +102,22 @@ struct StudyCommand {
 /// its results cannot be written.
 int study_command(const StudyCommand& command);
 
-/// `femsph list`: the studies found, the methods and the theory values. Returns 0.
+/// `femsph list`: the studies found, and every catalogue (catalogues.hpp). Returns 0.
 int list_command(const std::string& program);
+
+/// `femsph help scene`, `femsph help study`: the page of keys. With `write`, the folder of the sources:
+/// writes the pages into its docs/, and the catalogues' tables into its READMEs. Throws BadCommand.
+struct HelpCommand {
+  std::string topic, write;
+};
+int help_command(const HelpCommand& command);
 
 /// The folder that holds the studies: $FEMSPH_STUDIES, else ./studies, else beside the program
 /// ../share/femsph/studies (installed) or ../../studies (build tree). Throws BadCommand.
 std::string studies_folder(const std::string& program);
+
+/// The names of the studies in a folder.
+std::vector<std::string> studies_in(const std::string& folder);
 
 /// study_command with another engine.
 int study_command(const StudyCommand& command, const Engine& engine);

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <csignal>
 #include <cstdio>
 #include <thread>
@@ -10,6 +11,7 @@
 #include "compare/program/commands.hpp"
 #include "compare/program/manual.hpp"
 #include "compare/run/interruption.hpp"
+#include "compare/run/plan/method_option.hpp"
 #include "compare/run/run_output.hpp"
 #include "compare/study/reader/study.hpp"
 #include "model/input/faults.hpp"
@@ -52,28 +54,21 @@ void add_method_options(CLI::App* command, RunCommand& c) {
           "--divisions", c.divisions, "cells along each axis of every body, in place of a spacing: 100,10")
       ->delimiter(',')
       ->expected(1, 3);
-  command->add_option(
-      "--smoothing", c.smoothing, "SPH: smoothing length h over the spacing d, 0.6 to 4 (default 1)");
-  command->add_option("--kernel", c.kernel, "SPH: cubic-spline (default) or wendland-c2");
-  command->add_option(
-      "--mass", c.mass, "SPH: mass of a particle: share, full or trapezoid (default: the method's)");
-  command->add_option("--kernel-volume", c.kernel_volume,
-                      "corrected SPH: a neighbour's volume in kernel sums: whole (its whole cell, default) "
-                      "or own (half a cell on a side)");
-  command->add_option(
-      "--dilatation", c.dilatation,
-      "corrected SPH: the change of volume that the law is given: local (the particle's "
-      "own), mean (over its neighbours), or\n"
-      "automatic (default: mean where Poisson's ratio is above 0.4 or the material flows "
-      "plastically, except in plane stress)");
+  for (const MethodOption& option : method_options()) {
+    if (!option.on_command_line) continue;
+    std::string flag = "--" + option.word;
+    std::replace(flag.begin(), flag.end(), '_', '-');
+    const std::string about = fmt::format("{}; {}", option.about, option.holds());
+    if (option.range)
+      command->add_option(flag, c.numbers[option.word], about);
+    else
+      command->add_option(flag, c.words[option.word], about);
+  }
   command
       ->add_option(
           "--viscosity", c.viscosity, "classic SPH: alpha,beta,gamma of the artificial viscosity (eq. 5)")
       ->delimiter(',')
       ->expected(3);
-  command->add_option("--hourglass", c.hourglass,
-                      "coefficient of the hourglass control, 0 to 10: sph-corrected; fem-one-point takes "
-                      "Flanagan and Belytschko's control by it, instead of its physical stabilization");
   command->add_flag("!--no-projection", c.projection,
                     "sph-corrected: leave the weights of scattered particles as the kernel has them; a "
                     "uniform stress is then not exact");
@@ -214,7 +209,15 @@ int run_program(int argc, char** argv) {
       ->capture_default_str();
   advise_app->add_flag("--run", advise.run, "make the advised run too, and say how it went");
 
-  CLI::App* list_app = app.add_subcommand("list", "list studies and methods");
+  CLI::App* list_app = app.add_subcommand(
+      "list", "list studies, and every word of a scene, a study and the command line");
+
+  HelpCommand help;
+  CLI::App* help_app = app.add_subcommand("help", "every key of a scene or of a study");
+  help_app->add_option("topic", help.topic, "scene or study");
+  help_app->add_option("--write", help.write,
+                       "folder of the sources: write docs/scene-keys.md, docs/study-keys.md and the READMEs' "
+                       "tables of words");
 
   std::string shell;  // hidden: what the build installs
   CLI::App* manual_app = app.add_subcommand("manual", "print femsph(1), or --completion bash")->group("");
@@ -246,6 +249,7 @@ int run_program(int argc, char** argv) {
                                    : bash_completion(app, option_words()));
     return done;
   }
+  if (*help_app) return help_command(help);
   return bad_command;
 }
 

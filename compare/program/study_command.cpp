@@ -1,4 +1,4 @@
-// `femsph study` and `femsph list`: finds a study, runs it, writes what it gives.
+// `femsph study`: finds a study, runs it, writes what it gives.
 
 #include <fmt/format.h>
 
@@ -10,7 +10,6 @@
 #include "compare/price/price_tables.hpp"
 #include "compare/price/study_advice.hpp"
 #include "compare/program/commands.hpp"
-#include "compare/reference/theory.hpp"
 #include "compare/report/figures.hpp"
 #include "compare/report/readme.hpp"
 #include "compare/study/series.hpp"
@@ -30,15 +29,6 @@ void print(const std::string& line) {
 }
 
 void complain(const std::string& line) { fmt::print(stderr, "femsph: {}\n", line); }
-
-std::vector<std::string> studies_in(const std::string& folder) {
-  std::vector<std::string> names;
-  std::error_code ignored;
-  for (const auto& entry : fs::directory_iterator(folder, ignored))
-    if (fs::exists(entry.path() / "study.toml", ignored)) names.push_back(entry.path().filename().string());
-  std::sort(names.begin(), names.end());
-  return names;
-}
 
 // A study.toml, a folder that holds one, or the name of a study.
 std::string study_file(const StudyCommand& command) {
@@ -195,6 +185,15 @@ int run_one(const Study& study, const StudyCommand& command, const Engine& engin
 
 }  // namespace
 
+std::vector<std::string> studies_in(const std::string& folder) {
+  std::vector<std::string> names;
+  std::error_code ignored;
+  for (const auto& entry : fs::directory_iterator(folder, ignored))
+    if (fs::exists(entry.path() / "study.toml", ignored)) names.push_back(entry.path().filename().string());
+  std::sort(names.begin(), names.end());
+  return names;
+}
+
 std::string studies_folder(const std::string& program) {
   std::error_code ignored;
   if (const char* given = std::getenv("FEMSPH_STUDIES"); given && *given) {
@@ -227,30 +226,6 @@ int study_command(const StudyCommand& command, const Engine& engine) {
   print(fmt::format("price: {:.3g} s CPU, {:.3g} s wall, peak memory {:.3g} MB", cpu_seconds() - cpu,
                     wall_seconds() - wall, double(peak_memory()) / 1e6));
   return failures == 0 ? 0 : 3;
-}
-
-int list_command(const std::string& program) {
-  const std::string folder = studies_folder(program);
-  print(fmt::format("studies in {}:", folder));
-  for (const std::string& name : studies_in(folder)) {
-    try {
-      print(fmt::format(
-          "  {:<12} {}", name, read_study((fs::path(folder) / name / "study.toml").string()).title));
-    } catch (const InputError&) {
-      print(fmt::format("  {:<12} (its study.toml has faults: femsph study {} tells)", name, name));
-    }
-  }
-  print("\nlaws of materials:");
-  for (const LawEntry& law : laws()) print(fmt::format("  {:<22} {}", law.entry.word, law.entry.about));
-  print("\nshapes of bodies:");
-  for (const ShapeEntry& shape : shapes())
-    print(fmt::format("  {:<22} {}", shape.entry.word, shape.entry.about));
-  print("\nmethods:");
-  for (const Method& method : methods()) print(fmt::format("  {:<22} {}", method.name, method.about));
-  print("\ntheory values:");
-  for (const Theory& theory : theories())
-    print(fmt::format("  {:<31} {:<4} {}", theory.name, theory.unit, theory.formula));
-  return 0;
 }
 
 }  // namespace femsph::compare

@@ -4,8 +4,12 @@
 
 namespace femsph::compare {
 
-std::string with_table(const std::string& readme, const std::string& table) {
-  const std::string opens = "<!-- femsph:table -->", closes = "<!-- /femsph:table -->";
+bool asks_for(const std::string& readme, const std::string& name) {
+  return readme.find("<!-- femsph:" + name + " -->") != std::string::npos;
+}
+
+std::string with_table(const std::string& readme, const std::string& table, const std::string& name) {
+  const std::string opens = "<!-- femsph:" + name + " -->", closes = "<!-- /femsph:" + name + " -->";
   const auto open = readme.find(opens), close = readme.find(closes);
   const bool once = open != std::string::npos && close != std::string::npos &&
                     readme.find(opens, open + 1) == std::string::npos &&

@@ -5,8 +5,11 @@
 
 namespace femsph::compare {
 
-/// `readme` with what lies between the lines <!-- femsph:table --> and <!-- /femsph:table --> replaced by
+/// `readme` with what lies between the lines <!-- femsph:NAME --> and <!-- /femsph:NAME --> replaced by
 /// `table`. Throws std::runtime_error when it does not hold the two once each, in this order.
-std::string with_table(const std::string& readme, const std::string& table);
+std::string with_table(const std::string& readme, const std::string& table,
+                       const std::string& name = "table");
+/// It holds the line <!-- femsph:NAME -->.
+bool asks_for(const std::string& readme, const std::string& name);
 
 }  // namespace femsph::compare

@@ -259,16 +259,23 @@ class StaticSolver {
     }
   }
 
-  std::vector<double> value(Quantity quantity, const Point& p) const {
-    if (quantity == Quantity::velocity) return {0, 0, 0};
-    if (quantity == Quantity::displacement) {
-      dealii::Vector<double> u(dim);
-      dealii::VectorTools::point_value(dofs_, solution_, from_point(p), u);
-      return {u[0], u[1], dim == 3 ? u[dim - 1] : 0.0};
-    }
+  std::vector<double> value(const Quantity& quantity, const Point& p) const {
+    return values_at(quantity, quantity.on_material ? material_at(p) : motion_at(p), 3);
+  }
+
+  StateAtPoint motion_at(const Point& p) const {
+    dealii::Vector<double> u(dim);
+    dealii::VectorTools::point_value(dofs_, solution_, from_point(p), u);
+    StateAtPoint at;
+    at.displacement = {u[0], u[1], dim == 3 ? u[dim - 1] : 0.0};
+    return at;
+  }
+
+  StateAtPoint material_at(const Point& p) const {
     std::vector<dealii::Tensor<1, dim>> H(dim);
     dealii::VectorTools::point_gradient(dofs_, solution_, from_point(p), H);
-    std::vector<double> e(6, 0.0), s(6, 0.0);
+    StateAtPoint at;
+    auto &e = at.strain, &s = at.stress;
     double trace = 0;
     for (int i = 0; i < dim; ++i) trace += H[i][i];
     for (int i = 0; i < dim; ++i)
@@ -281,25 +288,19 @@ class StaticSolver {
       e[2] = law_.thickness_strain({e[0], e[1], e[3]}, {s[0], s[1], s[3]}, nullptr);
       s[2] = law_.thickness_stress({}, {s[0], s[1], s[3]}, nullptr);
     }
-    if (quantity == Quantity::equivalent_stress) return {von_mises({s[0], s[1], s[2], s[3], s[4], s[5]})};
-    if (quantity == Quantity::principal_stress) {
-      const std::array<double, 3> principal = principal_values({s[0], s[1], s[2], s[3], s[4], s[5]});
-      return {principal.begin(), principal.end()};
-    }
-    if (quantity == Quantity::plastic_strain) return {0};
-    return quantity == Quantity::stress ? s : e;
+    return at;
   }
 
   StaticLimit read() const {
     StaticLimit r;
-    for (const Probe& probe : scene_.probes) r.probes[probe.name] = value(probe.quantity, probe.point);
+    for (const Probe& probe : scene_.probes) r.probes[probe.name] = value(*probe.quantity, probe.point);
     for (const Section& section : scene_.sections) {
       auto& values = r.sections[section.name];
       for (int i = 0; i < section.count; ++i) {
         const double t = section.count > 1 ? static_cast<double>(i) / (section.count - 1) : 0.0;
         Point p;
         for (int c = 0; c < 3; ++c) p[c] = (1 - t) * section.from[c] + t * section.to[c];
-        values.push_back(value(section.quantity, p));
+        values.push_back(value(*section.quantity, p));
       }
     }
     return r;

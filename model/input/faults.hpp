@@ -43,6 +43,7 @@ class Faults {
  public:
   void add(Source at, std::string text) { list_.push_back({at.line, at.column, std::move(text)}); }
   bool empty() const { return list_.empty(); }
+  std::size_t size() const { return list_.size(); }
   /// Throws InputError if anything was added.
   void raise(const std::string& file) const {
     if (!list_.empty()) throw InputError(file, list_);

@@ -1,26 +1,22 @@
 #pragma once
-// What the keys of a table mean, said beside the code that reads them. The page of keys (femsph help scene,
-// femsph help study) is made of these, and Fields refuses to ask for a key that its table does not state.
+// What the keys of a table mean, said beside the code that reads them. The pages of keys (femsph help scene,
+// femsph help study, docs/) are made of these tables, and Fields refuses to ask for a key that its table does
+// not state, so that page and reader cannot differ.
 
 #include <string>
 #include <vector>
+
+#include "model/input/units.hpp"
 
 namespace femsph {
 
 /// One key of a table.
 struct Key {
-  std::string name;  ///< "young"
-  std::string
-      holds;  ///< what stands behind it: "a pressure", "a number", "a text", or the words to choose from
+  std::string name;   ///< "young"
+  std::string holds;  ///< what stands behind it; it contains what `key_holds` below says of its getter
   std::string about;  ///< one line
   bool required = false;
-};
-
-/// A table of an input file.
-struct KeyTable {
-  std::string header;  ///< as a user writes it: "[materials.NAME]", "[[loads]]"
-  std::string about;   ///< one line
-  std::vector<Key> keys;
+  std::string when = {};  ///< when an optional key is required: "unless \"point\" is given"
 };
 
 /// What every entry of a catalogue says of itself: a law, shape, effect, quantity, theory value, element, ..
@@ -29,5 +25,49 @@ struct Entry {
   std::string about;           ///< one line
   std::vector<Key> keys = {};  ///< that it adds to its table
 };
+
+/// A table of an input file.
+struct KeyTable {
+  std::string header;  ///< as a user writes it: "[materials.NAME]", "[[loads]]"; "" for the file's top level
+  std::string about;   ///< one line
+  std::vector<Key> keys;
+  std::string chooses = {};         ///< the key that names one of `entries`
+  std::vector<Entry> entries = {};  ///< of a catalogue; their keys belong to this table too
+  bool required = false;
+  std::string path() const;  ///< "materials.NAME", "loads"
+  std::vector<const Key*> named(const std::string& key) const;
+};
+
+/// All tables of a kind of file, in the order in which people write them.
+struct KeyPage {
+  std::string title, about;
+  std::vector<KeyTable> tables;
+  /// The table of a path. Throws std::logic_error if the page does not have it.
+  const KeyTable& at(const std::string& path) const;
+};
+
+/// The page for people: Markdown that reads well in a terminal too, at most 110 columns.
+std::string to_markdown(const KeyPage& page);
+
+/// What a getter of Fields finds in Key::holds.
+namespace key_holds {
+inline const std::string text = "a text", texts = "a list of texts", number = "a number",
+                         numbers = "a list of numbers", flag = "true or false", count = "a whole number",
+                         table = "a table";
+std::string quantity(const Dimension& dimension);          ///< "a length"
+std::string quantities(const Dimension& dimension);        ///< "a list, each entry a length"
+std::string vector(const Dimension& dimension);            ///< "a vector, each component a length"
+std::string matrix(const Dimension* dimension);            ///< "a matrix, each entry a rate", or "a number"
+std::string corners(const Dimension& dimension);           ///< "two corners, each component a length"
+std::string words(const std::vector<std::string>& words);  ///< "x", "y" or "z"
+template <class T>
+std::string words(const std::vector<std::pair<std::string, T>>& choices) {
+  std::vector<std::string> all;
+  for (const auto& [word, value] : choices) all.push_back(word);
+  return words(all);
+}
+/// The words of a catalogue.
+std::string words(const std::vector<Entry>& entries);
+}  // namespace key_holds
 
 }  // namespace femsph

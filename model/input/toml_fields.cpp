@@ -42,10 +42,43 @@ std::optional<double> finite_number(const toml::node& node) {
   return std::isfinite(value) ? std::optional(value) : std::nullopt;
 }
 
+std::string list_such_as(const Dimension& dimension) {
+  return fmt::format("a list such as [\"{0}\", \"{0}\"]", dimension.example);
+}
+
 }  // namespace
 
 Fields::Fields(const toml::table& table, std::string name, Faults& faults)
     : table_(&table), name_(std::move(name)), faults_(&faults) {}
+
+Fields::Fields(const toml::table& table, Faults& faults, const KeyPage& page)
+    : table_(&table), faults_(&faults), page_(&page), keys_(&page.at("")) {}
+
+Fields::Fields(const toml::table& table, std::string name, const Fields& parent, const std::string& path)
+    : table_(&table),
+      name_(std::move(name)),
+      faults_(parent.faults_),
+      page_(parent.page_),
+      path_(path),
+      keys_(parent.page_ ? &parent.page_->at(path) : nullptr) {}
+
+void Fields::require_stated(const std::string& key, Need need, const std::vector<std::string>& held) const {
+  if (!keys_) return;
+  const auto fits = [&](const Key* stated) {
+    const bool need_fits = stated->required ? need == Need::required
+                                            : need == Need::optional || !stated->when.empty();
+    return need_fits && std::all_of(held.begin(), held.end(), [&](const std::string& part) {
+             return stated->holds.find(part) != std::string::npos;
+           });
+  };
+  const auto stated = keys_->named(key);
+  if (std::any_of(stated.begin(), stated.end(), fits)) return;
+  std::string what;
+  for (const std::string& part : held) what += (what.empty() ? "" : ", ") + part;
+  throw std::logic_error(fmt::format(
+      "{} reads the {} key \"{}\" ({}), which its table of keys does not state so",
+      name_.empty() ? "the top level" : name_, need == Need::required ? "required" : "optional", key, what));
+}
 
 Source Fields::source() const { return source_of(*table_); }
 
@@ -54,10 +87,18 @@ Source Fields::source(std::string_view key) const {
   return node ? source_of(*node) : source();
 }
 
-const toml::node* Fields::find(const char* key, Need need, const std::string& expected) {
+void Fields::require_table(const std::string& key, Need need) const {
+  if (page_ && page_->at(path_of(key)).required && need != Need::required)
+    throw std::logic_error(
+        fmt::format("[{}] is read as optional, and its table of keys states it as required", path_of(key)));
+}
+
+const toml::node* Fields::find(const char* key, Need need, const std::string& expected,
+                               const std::vector<std::string>& held) {
+  if (!held.empty()) require_stated(key, need, held);
   asked_.emplace_back(key);
   const toml::node* node = table_->get(key);
-  if (!node && need == Need::required)
+  if (!node && need == Need::required && !blind_)
     faults_->add(source(), fmt::format("missing \"{}\"{}; expected {}", key,
                                        name_.empty() ? "" : " in " + name_, expected));
   return node;
@@ -67,14 +108,20 @@ void Fields::wrong_type(const toml::node& node, const std::string& key, const st
   faults_->add(source_of(node), fmt::format("\"{}\" is {}; expected {}", key, type_of(node), expected));
 }
 
-const toml::array* Fields::array(const char* key, Need need, const std::string& expected) {
-  const toml::node* node = find(key, need, expected);
+const toml::array* Fields::array(const char* key, Need need, const std::string& expected,
+                                 const std::vector<std::string>& held) {
+  const toml::node* node = find(key, need, expected, held);
   if (node && !node->is_array()) wrong_type(*node, key, expected);
   return node ? node->as_array() : nullptr;
 }
 
 std::optional<std::string> Fields::text(const char* key, Need need, const std::string& expected) {
-  const toml::node* node = find(key, need, expected);
+  return text_of(key, need, expected, {key_holds::text});
+}
+
+std::optional<std::string> Fields::text_of(const char* key, Need need, const std::string& expected,
+                                           const std::vector<std::string>& held) {
+  const toml::node* node = find(key, need, expected, held);
   if (!node) return {};
   if (node->is_string()) return node->as_string()->get();
   wrong_type(*node, key, expected);
@@ -83,7 +130,7 @@ std::optional<std::string> Fields::text(const char* key, Need need, const std::s
 
 std::optional<std::vector<std::string>> Fields::texts(const char* key, Need need,
                                                       const std::string& expected) {
-  const toml::array* list = array(key, need, expected);
+  const toml::array* list = array(key, need, expected, {key_holds::texts});
   if (!list) return {};
   std::vector<std::string> all;
   for (const toml::node& node : *list) {
@@ -94,7 +141,7 @@ std::optional<std::vector<std::string>> Fields::texts(const char* key, Need need
 }
 
 std::optional<double> Fields::number(const char* key, Need need, const std::string& expected) {
-  const toml::node* node = find(key, need, expected);
+  const toml::node* node = find(key, need, expected, {key_holds::number});
   if (!node) return {};
   const auto value = finite_number(*node);
   if (node->is_number() && !value)
@@ -105,7 +152,7 @@ std::optional<double> Fields::number(const char* key, Need need, const std::stri
 
 std::optional<std::vector<double>> Fields::numbers(const char* key, Need need) {
   const std::string expected = "a list of finite numbers";
-  const toml::array* list = array(key, need, expected);
+  const toml::array* list = array(key, need, expected, {key_holds::numbers});
   if (!list) return {};
   std::vector<double> all;
   for (const toml::node& node : *list) {
@@ -119,7 +166,7 @@ std::optional<std::vector<double>> Fields::numbers(const char* key, Need need) {
 }
 
 std::optional<bool> Fields::flag(const char* key, Need need) {
-  const toml::node* node = find(key, need, "true or false");
+  const toml::node* node = find(key, need, "true or false", {key_holds::flag});
   if (!node) return {};
   if (node->is_boolean()) return node->as_boolean()->get();
   wrong_type(*node, key, "true or false");
@@ -128,7 +175,7 @@ std::optional<bool> Fields::flag(const char* key, Need need) {
 
 std::optional<int> Fields::count(const char* key, Need need, int least, int most) {
   const std::string expected = fmt::format("a whole number from {} to {}", least, most);
-  const toml::node* node = find(key, need, expected);
+  const toml::node* node = find(key, need, expected, {key_holds::count});
   if (!node) return {};
   if (!node->is_integer()) return wrong_type(*node, key, expected), std::nullopt;
   const auto value = node->as_integer()->get();
@@ -153,14 +200,13 @@ std::optional<double> Fields::read_quantity(const toml::node& node, const char* 
 }
 
 std::optional<double> Fields::quantity(const char* key, Need need, const Dimension& dimension, Sign sign) {
-  const toml::node* node = find(key, need, expected_quantity(dimension));
+  const toml::node* node = find(key, need, expected_quantity(dimension), {key_holds::quantity(dimension)});
   return node ? read_quantity(*node, key, dimension, sign) : std::nullopt;
 }
 
 std::optional<std::vector<double>> Fields::quantities(const char* key, Need need, const Dimension& dimension,
                                                       Sign sign) {
-  const toml::array* list = array(
-      key, need, fmt::format("a list such as [\"{0}\", \"{0}\"]", dimension.example));
+  const toml::array* list = array(key, need, list_such_as(dimension), {key_holds::quantities(dimension)});
   return list ? read_quantities(*list, key, dimension, sign) : std::nullopt;
 }
 
@@ -174,7 +220,8 @@ std::optional<std::vector<double>> Fields::read_quantities(const toml::array& li
 
 std::optional<Point> Fields::vector(const char* key, Need need, const Dimension& dimension, int dim,
                                     Sign sign) {
-  const auto all = quantities(key, need, dimension, sign);
+  const toml::array* list = array(key, need, list_such_as(dimension), {key_holds::vector(dimension)});
+  const auto all = list ? read_quantities(*list, key, dimension, sign) : std::nullopt;
   return all ? to_point(*all, key, dim) : std::nullopt;
 }
 
@@ -184,7 +231,7 @@ std::optional<std::array<Point, 3>> Fields::matrix(const char* key, Need need, c
   const std::string row = dim == 3 ? fmt::format("[{0}, {0}, {0}]", value) : fmt::format("[{0}, {0}]", value);
   const std::string expected = dim == 3 ? fmt::format("three rows such as [{0}, {0}, {0}]", row)
                                         : fmt::format("two rows such as [{0}, {0}]", row);
-  const toml::array* list = array(key, need, expected);
+  const toml::array* list = array(key, need, expected, {key_holds::matrix(dimension)});
   if (!list) return {};
   const bool fits = dim == 0 ? list->size() == 2 || list->size() == 3 : int(list->size()) == dim;
   if (!fits || !std::all_of(list->begin(), list->end(), [](const toml::node& n) { return n.is_array(); }))
@@ -210,7 +257,7 @@ std::optional<std::array<Point, 3>> Fields::matrix(const char* key, Need need, c
 std::optional<std::pair<Point, Point>> Fields::corners(const char* key, Need need, const Dimension& dimension,
                                                        int dim) {
   const std::string expected = "two corners such as [[\"0 mm\", \"0 mm\"], [\"50 mm\", \"10 mm\"]]";
-  const toml::array* list = array(key, need, expected);
+  const toml::array* list = array(key, need, expected, {key_holds::corners(dimension)});
   if (!list) return {};
   if (list->size() != 2 || !(*list)[0].is_array() || !(*list)[1].is_array())
     return fault(key, fmt::format("\"{}\" is not a pair of corners; expected {}", key, expected)),
@@ -245,7 +292,9 @@ std::optional<Point> Fields::to_point(const std::vector<double>& all, const char
 }
 
 std::optional<std::size_t> Fields::choose(const char* key, Need need, const std::vector<std::string>& words) {
-  const auto word = text(key, need, one_of(words));
+  std::vector<std::string> held;
+  for (const std::string& word : words) held.push_back(in_quotes(word));
+  const auto word = text_of(key, need, one_of(words), held);
   if (!word) return {};
   const auto found = std::find(words.begin(), words.end(), *word);
   if (found != words.end()) return found - words.begin();
@@ -255,20 +304,22 @@ std::optional<std::size_t> Fields::choose(const char* key, Need need, const std:
 }
 
 std::optional<Fields> Fields::table(const char* key, Need need, const std::string& expected) {
-  const toml::node* node = find(key, need, expected);
+  require_table(key, need);
+  const toml::node* node = find(key, need, expected, {});
   if (!node) return {};
   if (!node->is_table()) return wrong_type(*node, key, expected), std::nullopt;
-  return Fields(*node->as_table(), fmt::format("[{}]", key), *faults_);
+  return Fields(*node->as_table(), fmt::format("[{}]", key), *this, path_of(key));
 }
 
 std::vector<Fields> Fields::tables(const char* key) {
   const std::string expected = fmt::format("tables that start with [[{}]]", key);
-  const toml::array* list = array(key, Need::optional, expected);
+  require_table(key, Need::optional);
+  const toml::array* list = array(key, Need::optional, expected, {});
   std::vector<Fields> all;
   if (!list) return all;
   for (const toml::node& node : *list) {
     if (node.is_table())
-      all.emplace_back(*node.as_table(), fmt::format("[[{}]]", key), *faults_);
+      all.push_back(Fields(*node.as_table(), fmt::format("[[{}]]", key), *this, path_of(key)));
     else
       wrong_type(node, key, expected);
   }
@@ -278,18 +329,21 @@ std::vector<Fields> Fields::tables(const char* key) {
 std::vector<std::pair<std::string, Fields>> Fields::named_tables(const char* key, Need need,
                                                                  const std::string& expected) {
   std::vector<std::pair<std::string, Fields>> all;
-  const toml::node* node = find(key, need, expected);
+  const std::string path = fmt::format("{}.NAME", key);
+  require_table(path, need);
+  const toml::node* node = find(key, need, expected, {});
   if (!node) return all;
   if (!node->is_table()) return wrong_type(*node, key, expected), all;
   if (node->as_table()->empty() && need == Need::required)
     fault(key, fmt::format("\"{}\" is empty; expected {}", key, expected));
   for (const auto& [name, value] : *node->as_table()) {
     const std::string full = fmt::format("{}.{}", key, name.str());
-    if (value.is_table())
-      all.emplace_back(
-          std::string(name.str()), Fields(*value.as_table(), fmt::format("[{}]", full), *faults_));
-    else
-      wrong_type(value, full, expected);
+    static const toml::table nothing;
+    const toml::table* table = value.as_table();
+    if (!table) wrong_type(value, full, expected);
+    Fields fields(table ? *table : nothing, fmt::format("[{}]", full), *this, path_of(path));
+    fields.blind_ = !table;
+    all.emplace_back(std::string(name.str()), std::move(fields));
   }
   const auto place = [](const auto& entry) {
     return std::pair(entry.second.source().line, entry.second.source().column);

@@ -2,14 +2,15 @@
 // Reading a TOML table key by key, so that every fault is found, placed and explained; for scenes and for
 // studies.
 //
-//   Fields fields(table, "[materials.steel]", faults);
-//   const auto young = fields.quantity("young", Need::required, dimension::pressure, Sign::positive);
-//   fields.done();                 // reports the keys that nobody asked for
+//   Fields root(table, "", faults, scene_page());
+//   auto fields = root.table("time", Need::required, "a table with a duration");
+//   const auto duration = fields->quantity("duration", Need::required, dimension::time, Sign::positive);
+//   fields->done();                // reports the keys that nobody asked for
 //   faults.raise(file);            // at the very end
 //
 // A getter returns nothing when the key is absent or faulty; in the second case, and when a required key is
 // absent, it has added a Fault. So the caller goes on with the rest of the file and never reports the same
-// thing twice.
+// thing twice. A getter that asks for what the table's keys (keys.hpp) do not state throws std::logic_error.
 
 #include <toml++/toml.h>
 
@@ -19,6 +20,7 @@
 #include <vector>
 
 #include "model/input/faults.hpp"
+#include "model/input/keys.hpp"
 #include "model/input/need.hpp"
 #include "model/input/units.hpp"
 #include "model/numerics/tensor.hpp"
@@ -27,8 +29,9 @@ namespace femsph {
 
 class Fields {
  public:
-  /// `name` is how messages call the table: "[time]"; empty for the file's top level. The table must outlive
-  /// the Fields.
+  /// The top level of a file whose tables and keys `page` states. Table and page must outlive the Fields.
+  Fields(const toml::table& table, Faults& faults, const KeyPage& page);
+  /// A table without a page; `name` is how messages call it: "[[runs]]"; empty for the file's top level.
   Fields(const toml::table& table, std::string name, Faults& faults);
 
   const std::string& name() const { return name_; }
@@ -36,7 +39,9 @@ class Fields {
   Source source(std::string_view key) const;  ///< of the key's value; of the table if it is absent
   bool has(std::string_view key) const { return table_->contains(key); }
   bool holds_table(std::string_view key) const { return has(key) && table_->get(key)->is_table(); }
-  void fault(std::string_view key, std::string text) const { faults_->add(source(key), std::move(text)); }
+  void fault(std::string_view key, std::string text) const {
+    if (!blind_) faults_->add(source(key), std::move(text));
+  }
 
   std::optional<std::string> text(const char* key, Need need,
                                   const std::string& expected = "a text in quotes");
@@ -67,7 +72,8 @@ class Fields {
   std::optional<Fields> table(const char* key, Need need, const std::string& expected);
   /// The tables of [[key]].
   std::vector<Fields> tables(const char* key);
-  /// The tables [key.NAME] with their names, in the order of the file.
+  /// The tables [key.NAME] with their names, in the order of the file. What stands there and is no table is
+  /// a fault, and comes as Fields without keys that report nothing more: others may refer to its name.
   std::vector<std::pair<std::string, Fields>> named_tables(const char* key, Need need,
                                                            const std::string& expected);
 
@@ -79,8 +85,19 @@ class Fields {
   void done();
 
  private:
-  const toml::node* find(const char* key, Need need, const std::string& expected);
-  const toml::array* array(const char* key, Need need, const std::string& expected);
+  Fields(const toml::table& table, std::string name, const Fields& parent, const std::string& path);
+  std::string path_of(const std::string& key) const { return path_.empty() ? key : path_ + "." + key; }
+  /// Throws std::logic_error unless the table's keys state `key` with this need, holding all of `held`.
+  void require_stated(const std::string& key, Need need, const std::vector<std::string>& held) const;
+  /// The same for a table of its own.
+  void require_table(const std::string& key, Need need) const;
+  /// `held` is empty for tables, which require_table has looked up.
+  const toml::node* find(const char* key, Need need, const std::string& expected,
+                         const std::vector<std::string>& held);
+  const toml::array* array(const char* key, Need need, const std::string& expected,
+                           const std::vector<std::string>& held);
+  std::optional<std::string> text_of(const char* key, Need need, const std::string& expected,
+                                     const std::vector<std::string>& held);
   std::optional<std::vector<double>> read_quantities(const toml::array& list, const char* key,
                                                      const Dimension& dimension, Sign sign);
   std::optional<Point> to_point(const std::vector<double>& all, const char* key, int dim) const;
@@ -92,6 +109,10 @@ class Fields {
   const toml::table* table_;
   std::string name_;
   Faults* faults_;
+  bool blind_ = false;  ///< it stands for what is no table: all is absent, and nothing is a fault
+  const KeyPage* page_ = nullptr;
+  std::string path_;                ///< in the page
+  const KeyTable* keys_ = nullptr;  ///< null: the table may hold what its reader asks for
   std::vector<std::string> asked_;
 };
 

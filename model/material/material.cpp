@@ -64,18 +64,4 @@ const std::vector<LawEntry>& laws() {
   return all;
 }
 
-const KeyTable& material_keys() {
-  static const KeyTable table = [] {
-    std::string words;
-    for (const LawEntry& law : laws()) words += (words.empty() ? "\"" : ", \"") + law.entry.word + "\"";
-    return KeyTable{"[materials.NAME]",
-                    "what a body or a bar is made of",
-                    {{"law", words, "how stress follows strain", true},
-                     {"young", "a pressure", "Young's modulus", true},
-                     {"poisson", "a number", "Poisson's ratio, above -1 and below 0.5", true},
-                     {"density", "a density", "mass per volume", true}}};
-  }();
-  return table;
-}
-
 }  // namespace femsph

@@ -24,9 +24,6 @@ struct LawEntry {
 /// In the order of the alternatives of Law and LawParameters.
 const std::vector<LawEntry>& laws();
 
-/// The keys of [materials.NAME] whatever its law; those of the laws are in their entries.
-const KeyTable& material_keys();
-
 struct Material {
   std::string name;
   double young, poisson, density;  ///< Pa, 1, kg/m^3

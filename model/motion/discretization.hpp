@@ -12,6 +12,7 @@
 
 #include "model/material/flow_stress.hpp"
 #include "model/numerics/archive.hpp"
+#include "model/numerics/principal.hpp"
 #include "model/numerics/weight.hpp"
 #include "model/scene/scene.hpp"
 
@@ -111,9 +112,6 @@ struct Stiffening {
   std::string unit;  ///< "cell 12", "particle 7": the stiffest
   Point position{};  ///< m, its place in the deformed body
 };
-
-/// sqrt(3/2 s:s) with s the deviator of the stress xx yy zz xy yz zx.
-double von_mises(const std::array<double, 6>& stress);
 
 /// Cells or bare points for output: each cell lists its points in VTK order.
 struct Topology {

@@ -1,20 +1,20 @@
 #include "model/results/recorder.hpp"
 
-#include <fmt/format.h>
-
 #include <cmath>
 
-#include "model/numerics/principal.hpp"
 #include "model/results/flow_limit.hpp"
+#include "model/results/history_columns.hpp"
 #include "model/results/recovery.hpp"
 
 namespace femsph {
 
 namespace {
 
-double scalar_of(const MaterialState& state, Quantity q, std::size_t k) {
-  if (q == Quantity::equivalent_stress) return von_mises(state.stress[k]);
-  return state.plastic.empty() ? 0.0 : state.plastic[k];
+StateAtPoint state_of(const MaterialState& state, std::size_t k) {
+  StateAtPoint at;
+  at.stress = state.stress[k], at.strain = state.strain[k];
+  at.plastic = state.plastic.empty() ? 0.0 : state.plastic[k];
+  return at;
 }
 
 /// The recoveries of bodies, made when first asked for, and gone once all weights are known.
@@ -39,12 +39,12 @@ class Recoveries {
 
 Recorder::Recorder(const March& march) {
   const Scene& scene = march.scene();
-  const auto add = [&](const std::string& name, const std::string& unit) { add_column(scene, name, unit); };
+  history_ = history_columns(scene);
   Recoveries recoveries(march);
   const auto reading_at = [&](const auto& observed, const Point& p) {
     Reading reading{observed.name, observed.body, observed.quantity, {}};
     const Discretization& d = *march.body(observed.body).discretization;
-    if (!on_material(observed.quantity)) {
+    if (!observed.quantity->on_material) {
       reading.weights = d.interpolation(p);
       return reading;
     }
@@ -53,38 +53,11 @@ Recorder::Recorder(const March& march) {
     reading.weights = rule ? rule->weights(p) : d.material_interpolation(p);
     return reading;
   };
-  add("time", "s");
-  for (const Probe& probe : scene.probes) {
-    probes_.push_back(reading_at(probe, probe.point));
-    for (const std::string& c : component_names(probe.quantity, scene.dim()))
-      add(probe.name + "_" + c, unit_of(probe.quantity));
-  }
-  for (const char* energy : {"kinetic_energy", "strain_energy", "hourglass_energy", "external_work",
-                             "damping_loss", "viscosity_loss"})
-    add(energy, "J");
-  add("energy_imbalance", "J");
-  if (scene.is_plastic()) add("plastic_work", "J");
-  const std::string axes = scene.dim() == 2 ? "xy" : "xyz", turns = scene.dim() == 2 ? "z" : "xyz";
-  for (const char a : axes) add(fmt::format("momentum_{}", a), "kg m/s");
-  for (const char a : turns) add(fmt::format("angular_momentum_{}", a), "kg m^2/s");
-  for (const RigidBody& body : march.rigid_bodies()) {
-    for (const char a : axes) add(fmt::format("{}_{}", body.name, a), "m");
-    for (const char a : axes) add(fmt::format("{}_v{}", body.name, a), "m/s");
-    if (scene.dim() == 2) add(body.name + "_turn", "rad");
-  }
-  if (!scene.contacts.empty()) add("contact_energy", "J"), add("friction_loss", "J");
-  for (const Contact& contact : scene.contacts)
-    for (const char a : axes) add(fmt::format("contact_{}_force_{}", contact.name, a), "N");
+  for (const Probe& probe : scene.probes) probes_.push_back(reading_at(probe, probe.point));
   const std::vector<Support> holds = scene.holds();
-  for (std::size_t h = 0; h < holds.size(); ++h) {
-    if (holds[h].mean || scene.bodies[holds[h].place.body].rigid) continue;
+  for (const std::size_t h : holds_with_reactions(scene)) {
+    if (!holds[h].name.empty()) reported_.push_back(reactions_.size());
     reactions_.push_back(reaction_of(march, h));
-    const std::string& name = holds[h].name;
-    if (name.empty()) continue;
-    reported_.push_back(reactions_.size() - 1);
-    for (const char a : axes) add(fmt::format("support_{}_force_{}", name, a), "N");
-    for (const char a : turns) add(fmt::format("support_{}_moment_{}", name, a), "N m");
-    for (const char a : axes) add(fmt::format("support_{}_centroid_{}", name, a), "m");
   }
   for (const Section& section : scene.sections) {
     Line line{&section, {}, {}};
@@ -103,63 +76,41 @@ Recorder::Recorder(const March& march) {
   }
 }
 
-/// Names of probes, rigid bodies and supports may meet in a column: "support_foot_force" and "foot".
-void Recorder::add_column(const Scene& scene, const std::string& name, const std::string& unit) {
-  if (history_.has(name))
-    throw InputError(
-        scene.file, {Fault{0, 0,
-                           fmt::format("the history would have two columns \"{}\"; expected another name "
-                                       "for the probe, rigid body or support that gives one of them",
-                                       name)}});
-  history_.add(name, unit);
-}
-
-/// What the rule has read of stress and strain (recovery.hpp): equivalent and principal stresses are those of
-/// the stress.
+/// What the rule has read of stress and strain (recovery.hpp); all that is of the stress is of this one. As
+/// the discretization interpolates for itself, a scalar is interpolated from its values at the points.
 std::vector<double> Recorder::read_material(const March& march, const Reading& reading) const {
   const MovingBody& body = march.body(reading.body);
   std::vector<std::size_t> points;
   for (const Weight& w : reading.weights) points.push_back(w.point);
   MaterialState state;
   body.discretization->material_state(body.u.data(), points, state);
-  if (reading.raw && is_scalar(reading.quantity)) {
+  const Quantity& quantity = *reading.quantity;
+  if (reading.raw && quantity.is_scalar()) {
     double value = 0;
     for (std::size_t k = 0; k < points.size(); ++k)
-      value += reading.weights[k].weight * scalar_of(state, reading.quantity, k);
+      value += reading.weights[k].weight * quantity.read(state_of(state, k))[0];
     return {value};
   }
   if (reading.raw) state.flow_stress.clear();
   const Recovered here = recovered(reading.weights, state, march.scene().plane);
-  switch (reading.quantity) {
-    case Quantity::equivalent_stress:
-      return {von_mises(here.stress)};
-    case Quantity::plastic_strain:
-      return {here.plastic};
-    case Quantity::principal_stress: {
-      const std::array<double, 3> principal = principal_values(here.stress);
-      return {principal.begin(), principal.end()};
-    }
-    default:
-      break;
-  }
-  const auto& values = reading.quantity == Quantity::stress ? here.stress : here.strain;
-  return {values.begin(), values.begin() + (march.scene().dim() == 2 ? 4 : 6)};
+  StateAtPoint at;
+  at.stress = here.stress, at.strain = here.strain, at.plastic = here.plastic;
+  return values_at(quantity, at, march.scene().dim());
 }
 
 std::vector<double> Recorder::read(const March& march, const Reading& reading) const {
+  if (reading.quantity->on_material) return read_material(march, reading);
   const MovingBody& body = march.body(reading.body);
-  const Discretization& d = *body.discretization;
+  const Layout& layout = body.discretization->layout();
   const int dim = march.scene().dim();
-  if (on_material(reading.quantity)) return read_material(march, reading);
-  std::vector<double> out(dim, 0.0);
-  const Layout& at = d.layout();
+  StateAtPoint at;
   for (const Weight& w : reading.weights)
     for (int c = 0; c < dim; ++c) {
-      const std::size_t slot = at.at(w.point, c);
-      out[c] += w.weight *
-                (reading.quantity == Quantity::displacement ? body.u[slot] : march.velocity(body, slot));
+      const std::size_t slot = layout.at(w.point, c);
+      at.displacement[c] += w.weight * body.u[slot];
+      at.velocity[c] += w.weight * march.velocity(body, slot);
     }
-  return out;
+  return values_at(*reading.quantity, at, dim);
 }
 
 void Recorder::sample(const March& march) {
@@ -211,8 +162,8 @@ std::map<std::string, Profile> Recorder::profiles(const March& march) const {
     p.name = line.section->name;
     p.time = march.time();
     p.distance = line.distance;
-    for (const std::string& c : component_names(line.section->quantity, march.scene().dim()))
-      p.columns.push_back({c, unit_of(line.section->quantity), {}});
+    for (const std::string& c : component_names(*line.section->quantity, march.scene().dim()))
+      p.columns.push_back({c, line.section->quantity->unit, {}});
     for (const Reading& point : line.points) {
       const std::vector<double> values = read(march, point);
       for (std::size_t c = 0; c < values.size(); ++c) p.columns[c].values.push_back(values[c]);

@@ -7,7 +7,6 @@
 
 #include "model/motion/balance.hpp"
 #include "model/results/history.hpp"
-#include "model/scene/quantities.hpp"
 
 namespace femsph {
 
@@ -30,7 +29,7 @@ class Recorder {
   struct Reading {
     std::string name;
     std::size_t body;
-    Quantity quantity;
+    const Quantity* quantity;
     std::vector<Weight> weights;  ///< of points, or of material points for stress and strain
     bool raw = false;  ///< stress and strain as the discretization interpolates them, not by recovery.hpp
   };
@@ -44,7 +43,6 @@ class Recorder {
     std::vector<Reading> points;
   };
   std::vector<Line> lines_;
-  void add_column(const Scene& scene, const std::string& name, const std::string& unit);
   std::vector<Reaction> reactions_;    ///< of all that hold
   std::vector<std::size_t> reported_;  ///< which of them have a name
   Balance balance_;

@@ -13,6 +13,7 @@
 
 #include "model/input/faults.hpp"
 #include "model/material/material.hpp"
+#include "model/scene/quantities/quantity.hpp"
 #include "model/scene/shapes/shape.hpp"
 
 namespace femsph {
@@ -129,18 +130,6 @@ struct Contact {
   bool tied = false;
 };
 
-/// plastic_strain: equivalent; equivalent_stress: von Mises; principal_stress: the largest first, the one
-/// across a plane included.
-enum class Quantity {
-  displacement,
-  velocity,
-  stress,
-  strain,
-  plastic_strain,
-  equivalent_stress,
-  principal_stress
-};
-
 /// How stress and strain are read at a point: by the one rule of model/results/recovery.hpp, or by the
 /// discretization's own interpolation of its material points, whose order at a surface is the method's own
 /// affair.
@@ -150,7 +139,7 @@ enum class StressReading { recovered, raw };
 struct Probe {
   std::string name;
   std::size_t body = 0;
-  Quantity quantity = Quantity::displacement;
+  const Quantity* quantity = nullptr;
   Point point{};  ///< m, in the undeformed body
   StressReading reading = StressReading::recovered;
 };
@@ -159,7 +148,7 @@ struct Probe {
 struct Section {
   std::string name;
   std::size_t body = 0;
-  Quantity quantity = Quantity::stress;
+  const Quantity* quantity = nullptr;
   Point from{}, to{};
   int count = 41;
   StressReading reading = StressReading::recovered;

@@ -92,21 +92,21 @@ bool at_place(const Scene& scene, const Place& place, const Point& p, double rea
   return std::sqrt(distance) <= near;
 }
 
-bool moves(Quantity quantity) { return quantity == Quantity::displacement || quantity == Quantity::velocity; }
+bool moves(const Quantity& quantity) { return !quantity.on_material; }
 
 /// Names of the probes and sections of a body that read a point which `reads(quantity, point)` says yes to.
 template <class Reads>
 std::vector<std::string> observers(const Scene& scene, std::size_t body, Reads reads) {
   std::vector<std::string> names;
   for (const Probe& probe : scene.probes)
-    if (probe.body == body && reads(probe.quantity, probe.point)) names.push_back(probe.name);
+    if (probe.body == body && reads(*probe.quantity, probe.point)) names.push_back(probe.name);
   for (const Section& section : scene.sections) {
     if (section.body != body) continue;
     const int steps = std::clamp(section.count - 1, 1, 1000);
     for (int i = 0; i <= steps; ++i) {
       Point p;
       for (int c = 0; c < 3; ++c) p[c] = section.from[c] + (section.to[c] - section.from[c]) * i / steps;
-      if (!reads(section.quantity, p)) continue;
+      if (!reads(*section.quantity, p)) continue;
       names.push_back(section.name);
       break;
     }
@@ -172,7 +172,7 @@ void add_forces(const Scene& scene, double reach, std::vector<SingularPlace>& fo
                             : codimension(scene, load.place);
     if (lacking < 2) continue;
     const auto names = observers(
-        scene, b, [&](Quantity, const Point& p) { return at_place(scene, load.place, p, reach); });
+        scene, b, [&](const Quantity&, const Point& p) { return at_place(scene, load.place, p, reach); });
     if (names.empty()) continue;
     std::string text = fmt::format(
         "a force on {}: the exact displacement and stress there are infinite, so that no spacing is fine "
@@ -196,7 +196,7 @@ void add_holds(const Scene& scene, double reach, std::vector<SingularPlace>& fou
     const std::size_t b = support.place.body;
     const int lacking = scene.bodies[b].rigid || support.mean ? 0 : codimension(scene, support.place);
     if (lacking < 2 || !may_bear(scene, support)) continue;
-    const auto names = observers(scene, b, [&](Quantity quantity, const Point& p) {
+    const auto names = observers(scene, b, [&](const Quantity& quantity, const Point& p) {
       return moves(quantity) != at_place(scene, support.place, p, reach);
     });
     if (names.empty()) continue;
@@ -252,8 +252,8 @@ void add_clamps(const Scene& scene, double reach, std::vector<SingularPlace>& fo
     const bool bounded = m.plasticity() && m.plasticity()->perfect();
     const double near = std::max(reach, tolerance_of(box));
     const auto ends = ends_of(scene, support, box, m.poisson > 0);
-    const auto names = observers(scene, b, [&](Quantity quantity, const Point& p) {
-      const bool limited = bounded && quantity != Quantity::strain && quantity != Quantity::plastic_strain;
+    const auto names = observers(scene, b, [&](const Quantity& quantity, const Point& p) {
+      const bool limited = bounded && quantity.of_stress;
       return !moves(quantity) && !limited &&
              std::any_of(ends.begin(), ends.end(), [&](const Region& end) { return end.contains(p, near); });
     });
@@ -294,7 +294,7 @@ void add_notches(const Scene& scene, double reach, std::vector<SingularPlace>& f
     if (!mesh || scene.bodies[b].rigid) continue;
     const double near = std::max(reach, tolerance_of(*scene.bodies[b].shape));
     const auto notches = notches_of(*mesh);
-    const auto names = observers(scene, b, [&](Quantity quantity, const Point& p) {
+    const auto names = observers(scene, b, [&](const Quantity& quantity, const Point& p) {
       return !moves(quantity) && std::any_of(notches.begin(), notches.end(), [&](const Point& v) {
         return std::hypot(v[0] - p[0], v[1] - p[1]) <= near;
       });

@@ -29,8 +29,8 @@ std::string profile(int steps) {
     Scene scene = scene_of(c, spacing);
     scene.samples = 400;
     scene.snapshots = 20;
-    scene.probes.push_back({"tip", 0, Quantity::displacement, {1, 0.05, 0}});
-    scene.probes.push_back({"root", 0, Quantity::stress, {0.05, 0.05, 0}});
+    scene.probes.push_back({"tip", 0, quantity_named("displacement"), {1, 0.05, 0}});
+    scene.probes.push_back({"root", 0, quantity_named("stress"), {0.05, 0.05, 0}});
     scene.duration = 1e-12;
     const double dt = compare::run_scene(scene, c.method, {spacing, {}}, {}).price.dt;
     scene.duration = steps * dt;

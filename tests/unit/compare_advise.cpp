@@ -25,7 +25,7 @@ class Advise : public ::testing::Test {
 
   Advise() {
     scene.settling.emplace();
-    scene.probes.push_back({"tip", 0, Quantity::displacement, {1, 0.05, 0}});
+    scene.probes.push_back({"tip", 0, quantity_named("displacement"), {1, 0.05, 0}});
     question.quantity.name = "tip_y";
     question.quantity.observed = {"tip", "", "", "", "y", {"mm", 1e-3}};
     question.methods = {

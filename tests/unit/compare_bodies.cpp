@@ -40,11 +40,11 @@ Scene two_bodies(bool swapped) {
   const Body thin{"thin", std::make_shared<Box>(2, Point{0, 0.2, 0}, Point{1, 0.1, 0}), 0.1, "soft"};
   scene.bodies = swapped ? std::vector<Body>{thin, thick} : std::vector<Body>{thick, thin};
   const std::size_t of_thick = swapped, of_thin = !swapped;
-  scene.sections.push_back({"inner", of_thin, Quantity::stress, {0.1, 0.2, 0}, {0.1, 0.3, 0}, 3});
-  scene.sections.push_back({"level", of_thin, Quantity::stress, {0.1, 0.2, 0}, {0.2, 0.2, 0}, 3});
-  scene.probes.push_back({"q", of_thin, Quantity::equivalent_stress, {0.5, 0.25, 0}});
-  scene.probes.push_back({"p", of_thin, Quantity::plastic_strain, {0.5, 0.25, 0}});
-  scene.probes.push_back({"other", of_thick, Quantity::plastic_strain, {0.5, 0.05, 0}});
+  scene.sections.push_back({"inner", of_thin, quantity_named("stress"), {0.1, 0.2, 0}, {0.1, 0.3, 0}, 3});
+  scene.sections.push_back({"level", of_thin, quantity_named("stress"), {0.1, 0.2, 0}, {0.2, 0.2, 0}, 3});
+  scene.probes.push_back({"q", of_thin, quantity_named("equivalent_stress"), {0.5, 0.25, 0}});
+  scene.probes.push_back({"p", of_thin, quantity_named("plastic_strain"), {0.5, 0.25, 0}});
+  scene.probes.push_back({"other", of_thick, quantity_named("plastic_strain"), {0.5, 0.05, 0}});
   return scene;
 }
 
@@ -182,8 +182,8 @@ TEST(Sweep, L2AgainstAZeroTheoryIsNotTakenFromTheLimitInstead) {
   Scene scene = cantilever();
   scene.settling.emplace();
   scene.sections.push_back(
-      {"inner", 0, Quantity::stress, {1, 0, 0}, {1, 0.1, 0}, 3});  // theory's stress is zero at the loaded
-                                                                   // end
+      {"inner", 0, quantity_named("stress"), {1, 0, 0}, {1, 0.1, 0}, 3});  // theory's stress is zero at the
+                                                                           // loaded end
   QuantitySpec q = of_section("inner", Reduce::l2);
   q.theory = "cantilever_stress";
   fem::StaticLimit limit;

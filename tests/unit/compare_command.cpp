@@ -46,6 +46,18 @@ std::string of_method(const char* solver, Member member, Value value) {
   return complaint([&] { method_of(c); });
 }
 
+/// With one option of the method.
+std::string of_method(const char* solver, const char* option, double value) {
+  RunCommand c = by(solver);
+  c.numbers[option] = value;
+  return complaint([&] { method_of(c); });
+}
+std::string of_method(const char* solver, const char* option, const char* value) {
+  RunCommand c = by(solver);
+  c.words[option] = value;
+  return complaint([&] { method_of(c); });
+}
+
 /// A scene of one body: a box, or, with cells of its own, one cell.
 Scene one_cell() {
   Scene scene = cantilever();
@@ -67,22 +79,20 @@ std::string of_resolution(const Scene& scene, const char* solver, std::optional<
 
 TEST(Command, NumbersOfAMethodHaveRanges) {
   for (const double bad : {nan, infinite, -1.0, 0.0, 0.5, 5.0})
-    EXPECT_THAT(of_method("sph", &RunCommand::smoothing, bad), HasSubstr("; expected a number from 0.6 to 4"))
-        << bad;
-  EXPECT_EQ(
-      of_method("sph", &RunCommand::smoothing, nan), "--smoothing is nan; expected a number from 0.6 to 4");
-  EXPECT_EQ(of_method("sph", &RunCommand::smoothing, 1.2), "");
+    EXPECT_THAT(of_method("sph", "smoothing", bad), HasSubstr("; expected a number from 0.6 to 4")) << bad;
+  EXPECT_EQ(of_method("sph", "smoothing", nan), "--smoothing is nan; expected a number from 0.6 to 4");
+  EXPECT_EQ(of_method("sph", "smoothing", 1.2), "");
   for (const char* solver : {"sph", "fem-one-point"}) {
     for (const double bad : {nan, infinite, -0.1, 11.0})
-      EXPECT_THAT(of_method(solver, &RunCommand::hourglass, bad), HasSubstr("--hourglass is ")) << bad;
-    EXPECT_EQ(of_method(solver, &RunCommand::hourglass, 0.0), "");
+      EXPECT_THAT(of_method(solver, "hourglass", bad), HasSubstr("--hourglass is ")) << bad;
+    EXPECT_EQ(of_method(solver, "hourglass", 0.0), "");
   }
   EXPECT_EQ(of_method("sph-classic-share", &RunCommand::viscosity, std::vector<double>{1, -1, 0.01}),
             "--viscosity: beta is -1; expected a number from 0 to 100");
   EXPECT_EQ(of_method("sph-classic-share", &RunCommand::viscosity, std::vector<double>{1, 1, 0}),
             "--viscosity: gamma is 0; expected a number above 0, up to 100");
   EXPECT_EQ(of_method("sph-classic-share", &RunCommand::viscosity, std::vector<double>{1, 1, 0.01}), "");
-  EXPECT_EQ(of_method("sph", &RunCommand::kernel, "wendland"),
+  EXPECT_EQ(of_method("sph", "kernel", "wendland"),
             "--kernel cannot be \"wendland\"; expected \"cubic-spline\" or \"wendland-c2\"");
   EXPECT_THAT(
       complaint([] { method_of(by("sph-corected")); }),
@@ -101,18 +111,17 @@ TEST(Command, SafetyAndThreadsHaveRanges) {
 }
 
 TEST(Command, AnOptionThatWouldDoNothingIsRefused) {
-  EXPECT_EQ(of_method("fem", &RunCommand::smoothing, 1.2),
-            "--smoothing does nothing with fem-full: it is an option of SPH");
-  EXPECT_EQ(of_method("fem", &RunCommand::mass, "full"),
-            "--mass does nothing with fem-full: it is an option of SPH");
   EXPECT_EQ(
-      of_method("fem", &RunCommand::hourglass, 0.1),
+      of_method("fem", "smoothing", 1.2), "--smoothing does nothing with fem-full: it is an option of SPH");
+  EXPECT_EQ(of_method("fem", "mass", "full"), "--mass does nothing with fem-full: it is an option of SPH");
+  EXPECT_EQ(
+      of_method("fem", "hourglass", 0.1),
       "--hourglass does nothing with fem-full: of the elements, only fem-one-point has an hourglass control");
-  EXPECT_EQ(of_method("sph-virtual", &RunCommand::hourglass, 0.1),
+  EXPECT_EQ(of_method("sph-virtual", "hourglass", 0.1),
             "--hourglass does nothing with sph-virtual: classic SPH has no hourglass control");
   EXPECT_EQ(of_method("sph", &RunCommand::viscosity, std::vector<double>{1, 1, 0.01}),
             "--viscosity does nothing with sph-corrected: it belongs to classic SPH");
-  EXPECT_EQ(of_method("sph", &RunCommand::mass, "full"),
+  EXPECT_EQ(of_method("sph", "mass", "full"),
             "");  // what a particle at the boundary weighs is a choice there too
   const Scene cell = one_cell(), box = cantilever();
   EXPECT_EQ(
@@ -159,7 +168,7 @@ TEST(Command, DivisionsForParticlesMustMeanOneSpacing) {
 
 TEST(Command, AdviceIsNotConfirmedByTheSameMethodTwice) {
   Scene scene = cantilever();
-  scene.probes.push_back({"tip", 0, Quantity::displacement, {1, 0.05, 0}});
+  scene.probes.push_back({"tip", 0, quantity_named("displacement"), {1, 0.05, 0}});
   AdviseCommand c;
   c.error = "1%";
   c.component = "y";

@@ -25,10 +25,10 @@ Scene corner_loaded() {
   Scene scene = cantilever();
   scene.loads[0].place.sides = {"x+", "y+"};
   scene.settling.emplace();
-  scene.probes.push_back({"tip", 0, Quantity::displacement, {1, 0.05, 0}});
-  scene.probes.push_back({"under", 0, Quantity::displacement, {1, 0.1, 0}});
-  scene.sections.push_back({"inner", 0, Quantity::stress, {0.1, 0, 0}, {0.1, 0.1, 0}, 3});
-  scene.sections.push_back({"root", 0, Quantity::stress, {0, 0, 0}, {0, 0.1, 0}, 3});
+  scene.probes.push_back({"tip", 0, quantity_named("displacement"), {1, 0.05, 0}});
+  scene.probes.push_back({"under", 0, quantity_named("displacement"), {1, 0.1, 0}});
+  scene.sections.push_back({"inner", 0, quantity_named("stress"), {0.1, 0, 0}, {0.1, 0.1, 0}, 3});
+  scene.sections.push_back({"root", 0, quantity_named("stress"), {0, 0, 0}, {0, 0.1, 0}, 3});
   return scene;
 }
 QuantitySpec tip(const std::string& probe = "tip") {

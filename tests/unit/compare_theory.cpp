@@ -2,8 +2,8 @@
 
 #include <gmock/gmock.h>
 
-#include "compare/reference/beam.hpp"
 #include "compare/reference/theory.hpp"
+#include "compare/reference/values/beam.hpp"
 #include "compare_support.hpp"
 #include "model/scene/shapes/box.hpp"
 

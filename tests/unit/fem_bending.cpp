@@ -72,8 +72,8 @@ TEST(FemCantilever, StaticLimitSeesTheBendingStress) {
   // Mid-span, far from both ends: sigma = M y / I with M = P L / 2, y = 25 mm: 25e3 * 0.5 * 0.025 / (0.1^4 /
   // 12) = 37.5 MPa; strain = sigma / E.
   Scene scene = cantilever();
-  scene.sections.push_back({"mid", 0, Quantity::stress, {0.5, 0.0, 0}, {0.5, 0.1, 0}, 5});
-  scene.probes.push_back({"strain", 0, Quantity::strain, {0.5, 0.075, 0}});
+  scene.sections.push_back({"mid", 0, quantity_named("stress"), {0.5, 0.0, 0}, {0.5, 0.1, 0}, 5});
+  scene.probes.push_back({"strain", 0, quantity_named("strain"), {0.5, 0.075, 0}});
   const auto r = fem::static_limit(scene, {40, 4, 0}, 3);
   ASSERT_EQ(r.sections.at("mid").size(), 5u);
   EXPECT_NEAR(r.sections.at("mid")[3][0], 37.5e6, 1e3);
@@ -90,7 +90,7 @@ TEST(FemCantilever, StaticLimitOfDegreeOneIsTheFullElement) {
   scene.loads.push_back({Place{0, {"x+", "y+"}, {}, {}}, {0, -2e3, 0}, {}});
   scene.loads.push_back({Place{0, {"x+"}, {}, {}}, {5e3, 0, 1e3}, {}});
   scene.loads.push_back({Place{0, {"x+", "y-", "z-"}, {}, {}}, {0, 0, 300}, {}});
-  scene.probes.push_back({"tip", 0, Quantity::displacement, {0.4, 0.05, 0.06}});
+  scene.probes.push_back({"tip", 0, quantity_named("displacement"), {0.4, 0.05, 0.06}});
   fem::Options options;
   options.divisions = {8, 2, 2};
   const auto d = fem::discretize(scene, 0, options);
@@ -105,7 +105,7 @@ TEST(FemBending3D, AssumedStrainBendsAndTwistsLikeTheLimit) {
   Scene scene = box_scene(Plane::none, {0.5, 0.05, 0.05}, 210e9, 0.3);
   scene.supports.push_back({Place{0, {"x-"}, {}, {}}, {true, true, true}});
   scene.loads.push_back({Place{0, {"x+", "y+"}, {}, {}}, {0, -1e3, 400}, {}});
-  scene.probes.push_back({"tip", 0, Quantity::displacement, {0.5, 0.025, 0.025}});
+  scene.probes.push_back({"tip", 0, quantity_named("displacement"), {0.5, 0.025, 0.025}});
   const auto exact = fem::static_limit(scene, {20, 2, 2}, 3).probes.at("tip");
   const auto tips = [&](Element element, std::array<int, 3> divisions) {
     fem::Options options;

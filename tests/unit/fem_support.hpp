@@ -37,7 +37,7 @@ inline Scene cantilever() {
   Scene s = box_scene(Plane::stress, {1.0, 0.1, 0}, 210e9, 0.3, 0.1);
   s.supports.push_back({Place{0, {"x-"}, {}, {}}, {true, true, true}});
   s.loads.push_back({Place{0, {"x+", "y+"}, {}, {}}, {0, -25e3, 0}, {}});
-  s.probes.push_back({"tip", 0, Quantity::displacement, {1.0, 0.05, 0}});
+  s.probes.push_back({"tip", 0, quantity_named("displacement"), {1.0, 0.05, 0}});
   return s;
 }
 

@@ -63,7 +63,7 @@ Scene scene_for(double duration) {
   Scene s;
   s.materials["m"] = Material{"m", 1, 0, 1};
   s.bodies.push_back({"body", std::make_shared<Box>(2, Point{}, Point{1, 1, 0}), 1, "m"});
-  s.probes.push_back({"mass", 0, Quantity::displacement, {}});
+  s.probes.push_back({"mass", 0, quantity_named("displacement"), {}});
   s.duration = duration;
   s.samples = 1000000;
   return s;

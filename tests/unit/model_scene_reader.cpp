@@ -61,10 +61,10 @@ TEST(SceneReader, WhatIsObserved) {
   const Scene scene = cantilever();
   ASSERT_EQ(scene.probes.size(), 1u);
   EXPECT_EQ(scene.probes[0].name, "tip");
-  EXPECT_EQ(scene.probes[0].quantity, Quantity::displacement);
+  EXPECT_EQ(scene.probes[0].quantity, quantity_named("displacement"));
   EXPECT_THAT(scene.probes[0].point, ElementsAre(1, 0.05, 0));
   ASSERT_EQ(scene.sections.size(), 1u);
-  EXPECT_EQ(scene.sections[0].quantity, Quantity::stress);
+  EXPECT_EQ(scene.sections[0].quantity, quantity_named("stress"));
   EXPECT_EQ(scene.sections[0].count, 21);
   EXPECT_DOUBLE_EQ(scene.duration, 0.05);
   EXPECT_EQ(scene.samples, 200);

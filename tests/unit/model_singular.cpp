@@ -37,7 +37,7 @@ Scene cantilever() {
   scene.loads.push_back({Place{0, {"x+", "y+"}, {}, {}}, {0, -25e3, 0}, {}});
   return scene;
 }
-void read(Scene& scene, const std::string& name, Quantity quantity, Point at) {
+void read(Scene& scene, const std::string& name, const Quantity* quantity, Point at) {
   scene.probes.push_back({name, 0, quantity, at});
 }
 
@@ -52,11 +52,11 @@ using Kind = SingularPlace::Kind;
 
 TEST(Singular, AForceOnACornerMattersOnlyToWhatIsReadThere) {
   Scene scene = cantilever();
-  read(scene, "tip", Quantity::displacement, {1, 0.05, 0});
-  read(scene, "root", Quantity::stress, {0.1, 0.1, 0});
+  read(scene, "tip", quantity_named("displacement"), {1, 0.05, 0});
+  read(scene, "root", quantity_named("stress"), {0.1, 0.1, 0});
   EXPECT_THAT(singular_places(scene), IsEmpty());
-  read(scene, "under", Quantity::displacement, {1, 0.1, 0});
-  read(scene, "near", Quantity::stress, {0.995, 0.1, 0});
+  read(scene, "under", quantity_named("displacement"), {1, 0.1, 0});
+  read(scene, "near", quantity_named("stress"), {0.995, 0.1, 0});
   EXPECT_THAT(observers(scene, Kind::force), ElementsAre("under"));
   const auto near = singular_places(scene, 0.01);
   ASSERT_THAT(near, SizeIs(1));
@@ -72,7 +72,7 @@ TEST(Singular, AForceOnACornerMattersOnlyToWhatIsReadThere) {
 TEST(Singular, AForceOnASideHasItsLimit) {
   Scene scene = cantilever();
   scene.loads[0].place.sides = {"x+"};
-  read(scene, "under", Quantity::displacement, {1, 0.1, 0});
+  read(scene, "under", quantity_named("displacement"), {1, 0.1, 0});
   EXPECT_THAT(singular_places(scene), IsEmpty());
   scene.loads[0].place.within = Region{{0.9, 0.08, 0}, {1, 0.1, 0}};
   EXPECT_THAT(singular_places(scene), IsEmpty());
@@ -85,8 +85,8 @@ TEST(Singular, AForceOnASideHasItsLimit) {
 TEST(Singular, InSpaceALineIsNoSide) {
   Scene scene = beam(3);
   scene.loads.push_back({Place{0, {"x+", "y+"}, {}, {}}, {0, -1, 0}, {}});
-  read(scene, "edge", Quantity::velocity, {1, 0.1, 0.03});
-  read(scene, "middle", Quantity::velocity, {1, 0.05, 0.03});
+  read(scene, "edge", quantity_named("velocity"), {1, 0.1, 0.03});
+  read(scene, "middle", quantity_named("velocity"), {1, 0.05, 0.03});
   const auto found = singular_places(scene);
   ASSERT_THAT(found, SizeIs(1));
   EXPECT_THAT(found[0].observers, ElementsAre("edge"));
@@ -98,7 +98,7 @@ TEST(Singular, ADiscsLowestPlaceIsAPoint) {
   scene.bodies[0].shape = std::make_shared<Round>(
       2, Round::Size{{0, 0, 0}, 0, 0.1, 0, 2, Round::Part::whole});
   scene.loads.push_back({Place{0, {"y+"}, {}, {}}, {0, -1, 0}, {}});
-  read(scene, "top", Quantity::displacement, {0, 0.1, 0});
+  read(scene, "top", quantity_named("displacement"), {0, 0.1, 0});
   EXPECT_THAT(observers(scene, Kind::force), ElementsAre("top"));
   scene.loads[0].place.sides = {"outer"};
   EXPECT_THAT(singular_places(scene), IsEmpty());
@@ -111,10 +111,10 @@ TEST(Singular, PointSupportsThatBearAReaction) {
   scene.supports.push_back({Place{0, {}, Point{0.1, 0, 0}, {}}, {true, true, false}});
   scene.supports.push_back({Place{0, {}, Point{0.9, 0, 0}, {}}, {false, true, false}});
   scene.loads.push_back({Place{0, {"y+"}, {}, {}}, {0, -1, 0}, {}});
-  read(scene, "below", Quantity::displacement, {0.5, 0, 0});
-  read(scene, "held", Quantity::displacement, {0.1, 0, 0});
-  read(scene, "stress", Quantity::stress, {0.5, 0, 0});
-  read(scene, "foot", Quantity::stress, {0.9, 0, 0});
+  read(scene, "below", quantity_named("displacement"), {0.5, 0, 0});
+  read(scene, "held", quantity_named("displacement"), {0.1, 0, 0});
+  read(scene, "stress", quantity_named("stress"), {0.5, 0, 0});
+  read(scene, "foot", quantity_named("stress"), {0.9, 0, 0});
   const auto found = singular_places(scene);
   ASSERT_THAT(found, SizeIs(2));
   EXPECT_THAT(found[0].observers, ElementsAre("below"));
@@ -128,7 +128,7 @@ TEST(Singular, APointSupportThatBearsNothing) {
   scene.supports.push_back({Place{0, {"x-"}, {}, {}}, {true, false, false}});
   scene.supports.push_back({Place{0, {"x-", "y-"}, {}, {}}, {false, true, false}});
   scene.loads.push_back({Place{0, {"x+"}, {}, {}}, {1e3, 0, 0}, {}});
-  read(scene, "end", Quantity::displacement, {1, 0.05, 0});
+  read(scene, "end", quantity_named("displacement"), {1, 0.05, 0});
   EXPECT_THAT(singular_places(scene), IsEmpty());
   scene.gravity = Point{0, -9.81, 0};
   EXPECT_THAT(observers(scene, Kind::hold), ElementsAre("end"));
@@ -145,11 +145,11 @@ TEST(Singular, ExponentOfAClampedCorner) {
 
 TEST(Singular, StressWhereAClampEnds) {
   Scene scene = cantilever();
-  read(scene, "corner", Quantity::stress, {0, 0, 0});
-  read(scene, "middle", Quantity::stress, {0, 0.05, 0});
-  read(scene, "still", Quantity::displacement, {0, 0, 0});
-  scene.sections.push_back({"root", 0, Quantity::strain, {0, 0, 0}, {0, 0.1, 0}, 11});
-  scene.sections.push_back({"inner", 0, Quantity::strain, {0.1, 0, 0}, {0.1, 0.1, 0}, 11});
+  read(scene, "corner", quantity_named("stress"), {0, 0, 0});
+  read(scene, "middle", quantity_named("stress"), {0, 0.05, 0});
+  read(scene, "still", quantity_named("displacement"), {0, 0, 0});
+  scene.sections.push_back({"root", 0, quantity_named("strain"), {0, 0, 0}, {0, 0.1, 0}, 11});
+  scene.sections.push_back({"inner", 0, quantity_named("strain"), {0.1, 0, 0}, {0.1, 0.1, 0}, 11});
   const auto found = singular_places(scene);
   ASSERT_THAT(found, SizeIs(1));
   EXPECT_EQ(found[0].kind, Kind::clamp);
@@ -177,8 +177,8 @@ TEST(Singular, StressWhereAHeldPatchEnds) {
   Scene scene = beam();
   scene.supports.push_back(
       {Place{0, {"y-"}, {}, {}, Region{{0, 0, 0}, {0.2, 0.1, 0}}}, {false, true, false}});
-  read(scene, "end", Quantity::stress, {0.2, 0, 0});
-  read(scene, "inside", Quantity::stress, {0.1, 0, 0});
+  read(scene, "end", quantity_named("stress"), {0.2, 0, 0});
+  read(scene, "inside", quantity_named("stress"), {0.1, 0, 0});
   EXPECT_THAT(observers(scene, Kind::clamp), ElementsAre("end"));
 }
 
@@ -189,9 +189,9 @@ TEST(Singular, StressInAReentrantCorner) {
   mesh.vertices = {{0, 0, 0}, {1, 0, 0}, {2, 0, 0}, {0, 1, 0}, {1, 1, 0}, {2, 1, 0}, {0, 2, 0}, {1, 2, 0}};
   mesh.cells = {{0, 1, 3, 4}, {1, 2, 4, 5}, {3, 4, 6, 7}};
   scene.bodies[0].shape = std::make_shared<MeshShape>(mesh, "L.msh");
-  read(scene, "inner", Quantity::equivalent_stress, {1, 1, 0});
-  read(scene, "outer", Quantity::equivalent_stress, {2, 1, 0});
-  read(scene, "moves", Quantity::displacement, {1, 1, 0});
+  read(scene, "inner", quantity_named("equivalent_stress"), {1, 1, 0});
+  read(scene, "outer", quantity_named("equivalent_stress"), {2, 1, 0});
+  read(scene, "moves", quantity_named("displacement"), {1, 1, 0});
   EXPECT_THAT(observers(scene, Kind::notch), ElementsAre("inner"));
 }
 

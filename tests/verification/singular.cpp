@@ -46,8 +46,8 @@ std::array<double, 2> changes(const Scene& scene, const char* probe, int compone
 TEST(SingularForce, SinksByFlamantsLogarithmOnASide) {
   Scene scene = block(2);
   scene.loads.push_back({Place{0, {}, Point{0.05, 0.1, 0}, {}}, {0, -1e5, 0}, {}});
-  scene.probes.push_back({"under", 0, Quantity::displacement, {0.05, 0.1, 0}});
-  scene.probes.push_back({"away", 0, Quantity::displacement, {0.1, 0.1, 0}});
+  scene.probes.push_back({"under", 0, quantity_named("displacement"), {0.05, 0.1, 0}});
+  scene.probes.push_back({"away", 0, quantity_named("displacement"), {0.1, 0.1, 0}});
   const double each = 1e5 * sinks_per_halving(scene, scene.loads[0].place);
   EXPECT_NEAR(each, 2 * std::log(2) * 1e5 / (std::acos(-1.0) * 2.1e11 * 0.05), 1e-15);
   const auto under = changes(scene, "under", 1, {8, 8, 1}, 2), away = changes(scene, "away", 1, {8, 8, 1}, 2);
@@ -60,7 +60,7 @@ TEST(SingularForce, SinksByFlamantsLogarithmOnASide) {
 TEST(SingularForce, SinksByMichellsWedgeAtACorner) {
   Scene scene = block(2);
   scene.loads.push_back({Place{0, {"x+", "y+"}, {}, {}}, {0, -1e5, 0}, {}});
-  scene.probes.push_back({"under", 0, Quantity::displacement, {0.1, 0.1, 0}});
+  scene.probes.push_back({"under", 0, quantity_named("displacement"), {0.1, 0.1, 0}});
   const double each = 1e5 * sinks_per_halving(scene, scene.loads[0].place);
   const auto under = changes(scene, "under", 1, {8, 8, 1}, 2);
   EXPECT_NEAR(under[0] / each, 1, 0.08);
@@ -73,7 +73,7 @@ TEST(SingularForce, SinksByMichellsWedgeAtACorner) {
 TEST(SingularForce, InSpaceTheChangeDoubles) {
   Scene scene = block(3);
   scene.loads.push_back({Place{0, {}, Point{0.05, 0.05, 0.1}, {}}, {0, 0, -1e5}, {}});
-  scene.probes.push_back({"under", 0, Quantity::displacement, {0.05, 0.05, 0.1}});
+  scene.probes.push_back({"under", 0, quantity_named("displacement"), {0.05, 0.05, 0.1}});
   const auto under = changes(scene, "under", 2, {2, 2, 2}, 1);
   EXPECT_NEAR(under[1] / under[0], 2, 0.2);
 }
@@ -82,8 +82,8 @@ TEST(SingularForce, InSpaceTheChangeDoubles) {
 TEST(SingularForce, AStudyComparesWithNoLimitUnderIt) {
   Scene scene = block(2);
   scene.loads.push_back({Place{0, {"x+", "y+"}, {}, {}}, {0, -1e5, 0}, {}});
-  scene.probes.push_back({"under", 0, Quantity::displacement, {0.1, 0.1, 0}});
-  scene.probes.push_back({"beside", 0, Quantity::displacement, {0.1, 0.05, 0}});
+  scene.probes.push_back({"under", 0, quantity_named("displacement"), {0.1, 0.1, 0}});
+  scene.probes.push_back({"beside", 0, quantity_named("displacement"), {0.1, 0.05, 0}});
   compare::Study study;
   study.scenes["s.toml"] = scene;
   study.runs.push_back({"case", "fem-full", compare::method_named("fem-full"), {0.02, {}}, "s.toml", {}});

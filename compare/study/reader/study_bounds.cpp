@@ -4,10 +4,15 @@
 
 #include <algorithm>
 
+#include "compare/study/reader/study_page.hpp"
 #include "compare/study/reader/study_reading.hpp"
 
 namespace femsph::compare {
 namespace {
+
+std::vector<Key> row_keys() {
+  return {{"cases", key_holds::texts, "Of these cases."}, {"methods", key_holds::texts, "Of these labels."}};
+}
 
 std::optional<double> not_negative(Fields& fields, const char* key) {
   const auto value = fields.number(key, Need::optional);
@@ -45,13 +50,13 @@ void check_bound(const Fields& fields, const Bound& bound, const Study& study) {
 void one_bound(Fields& fields, StudyReading& reading) {
   const Study& study = reading.study;
   Bound bound;
-  bound.cases = read_names(fields, "cases", case_names(study), "case");
-  bound.methods = read_names(fields, "methods", method_labels(study), "method");
+  bound.cases = read_names(fields, "cases", case_names(study), "case", reading.runs_known);
+  bound.methods = read_names(fields, "methods", method_labels(study), "method", reading.runs_known);
   const auto known = quantity_names(study);
   bound.quantity = fields.text("quantity", Need::optional).value_or("");
-  if (!bound.quantity.empty() && std::find(known.begin(), known.end(), bound.quantity) == known.end())
-    fields.fault("quantity", fmt::format("unknown quantity {}; expected {}{}", in_quotes(bound.quantity),
-                                         one_of(known), did_you_mean(bound.quantity, known)));
+  const bool is_known = bound.quantity.empty() ||
+                        require_known(
+                            fields, "quantity", "quantity", bound.quantity, known, reading.quantities_known);
   bound.energy_drift = not_negative(fields, "energy_drift");
   bound.momentum_drift = not_negative(fields, "momentum_drift");
   bound.angular_momentum_drift = not_negative(fields, "angular_momentum_drift");
@@ -62,22 +67,22 @@ void one_bound(Fields& fields, StudyReading& reading) {
   if (bound.low && bound.high && *bound.low > *bound.high)
     fields.fault("low", "\"low\" lies above \"high\", so that nothing can be between; expected it below");
   fields.done();
-  if (bound.quantity.empty() || std::find(known.begin(), known.end(), bound.quantity) != known.end())
-    check_bound(fields, bound, study);
+  if (is_known && reading.runs_known && reading.quantities_known) check_bound(fields, bound, study);
   reading.study.bounds.push_back(bound);
 }
 
 void one_expectation(Fields& fields, StudyReading& reading) {
   Expectation expectation;
-  expectation.cases = read_names(fields, "cases", case_names(reading.study), "case");
-  expectation.methods = read_names(fields, "methods", method_labels(reading.study), "method");
+  expectation.cases = read_names(fields, "cases", case_names(reading.study), "case", reading.runs_known);
+  expectation.methods = read_names(
+      fields, "methods", method_labels(reading.study), "method", reading.runs_known);
   expectation.messages =
       fields.texts("messages", Need::required, "a list of words, of which the failure says one")
           .value_or(std::vector<std::string>{});
   expectation.reason = fields.text("reason", Need::required, "why it must fail").value_or("");
   fields.done();
-  if (!some_row(
-          reading.study, expectation.cases, expectation.methods, [](const QuantitySpec&) { return true; }))
+  if (reading.runs_known && !some_row(reading.study, expectation.cases, expectation.methods,
+                                      [](const QuantitySpec&) { return true; }))
     fields.fault("cases", "no run has these cases and methods together; expected words of one run");
   if (reading.study.bounds.empty())
     fields.fault("messages", "[[expectations]] without [[bounds]]; expected bounds that the failure breaks");
@@ -85,6 +90,32 @@ void one_expectation(Fields& fields, StudyReading& reading) {
 }
 
 }  // namespace
+
+KeyTable bound_keys() {
+  KeyTable table{"[[bounds]]",
+                 "What rows must keep; the study's table is then one of verdicts. Where several match, the "
+                 "last one that names a bound counts.",
+                 row_keys()};
+  for (const Key& key : std::vector<Key>{
+           {"quantity", "a text: a quantity of this study", "Of this quantity."},
+           {"energy_drift", key_holds::number, "At most: the ledger's imbalance over the largest energy."},
+           {"momentum_drift", key_holds::number, "At most: a share of 1."},
+           {"angular_momentum_drift", key_holds::number, "At most: a share of 1."},
+           {"hourglass_share", key_holds::number, "At most: hourglass energy over internal energy."},
+           {"error_percent", key_holds::number, "At most: the magnitude of the error."},
+           {"low", key_holds::number, "The least value, in the unit of the table."},
+           {"high", key_holds::number, "The largest value, in the unit of the table."}})
+    table.keys.push_back(key);
+  return table;
+}
+
+KeyTable expectation_keys() {
+  KeyTable table{"[[expectations]]", "A failure that must occur, in a study with [[bounds]].", row_keys()};
+  table.keys.push_back(
+      {"messages", key_holds::texts, "The failure, or the bound it breaks, says one of them.", true});
+  table.keys.push_back({"reason", key_holds::text, "Why it must fail.", true});
+  return table;
+}
 
 void read_bounds(Fields& root, StudyReading& reading) {
   for (Fields& fields : root.tables("bounds")) one_bound(fields, reading);

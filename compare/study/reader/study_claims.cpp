@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "compare/study/reader/study_page.hpp"
 #include "compare/study/reader/study_reading.hpp"
 #include "model/input/units.hpp"
 
@@ -11,6 +12,22 @@ namespace femsph::compare {
 namespace {
 
 using Kind = Claim::Kind;
+
+const std::vector<std::pair<std::string, Kind>> claim_kinds = {
+    {"value", Kind::value}, {"below", Kind::below}, {"above", Kind::above},   {"ratio", Kind::ratio},
+    {"order", Kind::order}, {"finer", Kind::finer}, {"larger", Kind::larger}, {"smaller", Kind::smaller}};
+const std::vector<std::pair<std::string, Reference>> claim_references = {
+    {"theory", Reference::theory}, {"limit", Reference::limit}, {"value", Reference::value}};
+const std::vector<std::pair<std::string, bool>> claim_fields = {{"error", false}, {"value", true}};
+
+std::vector<Key> filter_keys(bool quantity_required) {
+  return {{"study", key_holds::text, "Rows of this study."},
+          {"cases", key_holds::texts, "Rows of these cases."},
+          {"method", "a text: the name of a method in tables", "Rows of this method."},
+          {"quantity", "a text: a quantity of the study", "Rows of this quantity.", false,
+           quantity_required ? "here" : ""},
+          {"spacing", key_holds::quantity(dimension::length), "Rows of this spacing."}};
+}
 
 void add_planned(const Study& study, std::vector<Row>& rows) {
   for (const PlannedRun& run : study.runs)
@@ -25,12 +42,17 @@ void add_planned(const Study& study, std::vector<Row>& rows) {
     }
 }
 
-// The rows that the study will have, without their numbers: a filter that matches none of them is a slip.
-std::vector<Row> planned_rows(const Study& study) {
+/// The rows that the study will have, without their numbers: a filter that matches none of them is a slip,
+/// unless an earlier fault hides which rows there are.
+struct Planned {
   std::vector<Row> rows;
-  add_planned(study, rows);
-  for (const Study& other : study.collected) add_planned(other, rows);
-  return rows;
+  bool complete;
+};
+Planned planned_rows(const StudyReading& reading) {
+  Planned planned{{}, reading.runs_known && reading.quantities_known};
+  add_planned(reading.study, planned.rows);
+  for (const Study& other : reading.study.collected) add_planned(other, planned.rows);
+  return planned;
 }
 
 bool could_match(RowFilter filter, const Row& planned) {
@@ -38,29 +60,29 @@ bool could_match(RowFilter filter, const Row& planned) {
   return filter.matches(planned);
 }
 
-std::vector<std::string> known_words(std::string Row::*member, const std::vector<Row>& planned) {
+std::vector<std::string> known_words(std::string Row::*member, const Planned& planned) {
   std::vector<std::string> known;
-  for (const Row& row : planned)
+  for (const Row& row : planned.rows)
     if (std::find(known.begin(), known.end(), row.*member) == known.end()) known.push_back(row.*member);
   return known;
 }
 
 // One word of a filter: it must be that of some row.
 std::optional<std::string> read_word(Fields& fields, const char* key, std::string Row::*member,
-                                     const std::vector<Row>& planned) {
+                                     const Planned& planned) {
   const auto word = fields.text(key, Need::optional);
   if (!word) return {};
   const auto known = known_words(member, planned);
-  if (std::find(known.begin(), known.end(), *word) != known.end()) return word;
+  if (!planned.complete || std::find(known.begin(), known.end(), *word) != known.end()) return word;
   fields.fault(key, fmt::format("no run has the {} {}; expected {}{}", key, in_quotes(*word), one_of(known),
                                 did_you_mean(*word, known)));
   return {};
 }
 
-RowFilter read_filter(Fields& fields, const std::vector<Row>& planned) {
+RowFilter read_filter(Fields& fields, const Planned& planned) {
   RowFilter filter;
   filter.study = read_word(fields, "study", &Row::study, planned);
-  filter.cases = read_names(fields, "cases", known_words(&Row::case_name, planned), "case");
+  filter.cases = read_names(fields, "cases", known_words(&Row::case_name, planned), "case", planned.complete);
   filter.method = read_word(fields, "method", &Row::method, planned);
   filter.quantity = read_word(fields, "quantity", &Row::quantity, planned);
   if (const auto spacing = fields.quantity("spacing", Need::optional, dimension::length, Sign::positive))
@@ -68,16 +90,15 @@ RowFilter read_filter(Fields& fields, const std::vector<Row>& planned) {
   return filter;
 }
 
-void check_filter(const Fields& fields, const char* key, const RowFilter& filter,
-                  const std::vector<Row>& planned) {
+void check_filter(const Fields& fields, const char* key, const RowFilter& filter, const Planned& planned) {
   const bool some = std::any_of(
-      planned.begin(), planned.end(), [&](const Row& row) { return could_match(filter, row); });
-  if (!some)
+      planned.rows.begin(), planned.rows.end(), [&](const Row& row) { return could_match(filter, row); });
+  if (!some && planned.complete)
     fields.fault(key, fmt::format("no run of the study gives {}; expected words of one run together",
                                   filter.describe()));
 }
 
-RowFilter read_filter_table(Fields& claim, const char* key, const std::vector<Row>& planned) {
+RowFilter read_filter_table(Fields& claim, const char* key, const Planned& planned) {
   auto fields = claim.table(
       key, Need::required, "a table such as {cases = [\"1_4\"], quantity = \"tip_displacement\"}");
   if (!fields) return {};
@@ -95,15 +116,14 @@ double positive(Fields& fields, const char* key, double least) {
 }
 
 // The keys that a kind of claim asks for, and no others.
-void read_kind(Fields& fields, Claim& claim, const std::vector<Row>& planned) {
+void read_kind(Fields& fields, Claim& claim, const Planned& planned) {
   const auto paper = [&] {
     claim.paper = fields.number("paper", Need::required, "the paper's number").value_or(0);
   };
   claim.rows = read_filter_table(fields, "rows", planned);
   switch (claim.kind) {
     case Kind::value:
-      claim.of_value =
-          fields.choice<bool>("field", Need::optional, {{"error", false}, {"value", true}}).value_or(false);
+      claim.of_value = fields.choice("field", Need::optional, claim_fields).value_or(false);
       paper();
       claim.tolerance = positive(fields, "tolerance", 0);
       break;
@@ -129,29 +149,15 @@ void read_kind(Fields& fields, Claim& claim, const std::vector<Row>& planned) {
   }
 }
 
-void one_claim(Fields& fields, StudyReading& reading, const std::vector<Row>& planned) {
+void one_claim(Fields& fields, StudyReading& reading, const Planned& planned) {
   Claim claim;
   claim.id = fields.text("id", Need::required, "a short name").value_or("");
   claim.source =
       fields.text("source", Need::required, "where the paper says it, such as \"fig 5\"").value_or("");
   claim.text = fields.text("text", Need::required, "the claim in words").value_or("");
   claim.note = fields.text("note", Need::optional).value_or("");
-  claim.reference =
-      fields
-          .choice<Reference>(
-              "reference", Need::optional,
-              {{"theory", Reference::theory}, {"limit", Reference::limit}, {"value", Reference::value}})
-          .value_or(Reference::theory);
-  const auto kind = fields.choice<Kind>(
-      "kind", Need::required,
-      {{"value", Kind::value},
-       {"below", Kind::below},
-       {"above", Kind::above},
-       {"ratio", Kind::ratio},
-       {"order", Kind::order},
-       {"finer", Kind::finer},
-       {"larger", Kind::larger},
-       {"smaller", Kind::smaller}});
+  claim.reference = fields.choice("reference", Need::optional, claim_references).value_or(Reference::theory);
+  const auto kind = fields.choice("kind", Need::required, claim_kinds);
   if (!kind) return;
   claim.kind = *kind;
   read_kind(fields, claim, planned);
@@ -177,8 +183,59 @@ std::optional<double> read_paper_value(Fields& fields, const std::optional<std::
 
 }  // namespace
 
+KeyTable paper_keys() {
+  KeyTable table{
+      "[[paper]]", "A number that the paper reports, shown beside the rows it is about.", filter_keys(true)};
+  for (const Key& key : std::vector<Key>{
+           {"value", "a text: a number with the unit of the quantity, such as \"4.765 mm\"",
+            "The paper's value. This, \"error_percent\" or both."},
+           {"error_percent", key_holds::number, "The error that the paper states."},
+           {"source", key_holds::text, "Where the paper says it, such as \"fig 14\".", true}})
+    table.keys.push_back(key);
+  return table;
+}
+
+KeyTable claim_keys() {
+  const std::string of_ratio = "with kind \"ratio\" or \"finer\"", of_order = "with kind \"order\"";
+  return {
+      "[[claims]]",
+      "A sentence of the paper, checked against rows.",
+      {{"id", key_holds::text, "A short name.", true},
+       {"source", key_holds::text, "Where the paper says it, such as \"fig 5\".", true},
+       {"text", key_holds::text, "The claim in words.", true},
+       {"note", key_holds::text, "Shown when it does not hold."},
+       {"reference", key_holds::words(claim_references), "Of the errors. \"theory\" unless given."},
+       {"kind", key_holds::words(claim_kinds),
+        "How rows are judged: a value, a bound on the error, the ratio of the errors of two rows, the "
+        "observed order, how many times finer for one error, or which of two errors is larger.",
+        true},
+       {"field", key_holds::words(claim_fields),
+        "With \"value\": what is compared with \"paper\". \"error\" unless given."},
+       {"paper", key_holds::number, "The paper's number.", false,
+        "with kind \"value\", \"ratio\" or \"finer\""},
+       {"tolerance", key_holds::number, "How far from it is near enough.", false, "with kind \"value\""},
+       {"bound", key_holds::number, "Percent.", false, "with kind \"below\" or \"above\""},
+       {"factor", key_holds::number, "Within this factor of \"paper\", from 1 on.", false, of_ratio},
+       {"low", key_holds::number, "The least order.", false, of_order},
+       {"high", key_holds::number, "The largest order.", false, of_order}}};
+}
+
+KeyTable claim_rows_keys() {
+  return {"[claims.rows]",
+          "Which rows a claim is about, inline: rows = {cases = [\"1_4\"], quantity = \"tip_displacement\"}.",
+          filter_keys(false),
+          {},
+          {},
+          true};
+}
+
+KeyTable claim_other_keys() {
+  return {"[claims.other]", "The rows that they are compared with, by \"ratio\" and \"finer\"; inline.",
+          filter_keys(false)};
+}
+
 void read_paper(Fields& root, StudyReading& reading) {
-  const auto planned = planned_rows(reading.study);
+  const auto planned = planned_rows(reading);
   for (Fields& fields : root.tables("paper")) {
     PaperNumber number;
     number.rows = read_filter(fields, planned);
@@ -197,7 +254,7 @@ void read_paper(Fields& root, StudyReading& reading) {
 }
 
 void read_claims(Fields& root, StudyReading& reading) {
-  const auto planned = planned_rows(reading.study);
+  const auto planned = planned_rows(reading);
   for (Fields& fields : root.tables("claims")) one_claim(fields, reading, planned);
 }
 

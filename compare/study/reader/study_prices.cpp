@@ -5,11 +5,15 @@
 #include <algorithm>
 #include <cctype>
 
+#include "compare/study/reader/study_page.hpp"
 #include "compare/study/reader/study_reading.hpp"
 #include "model/input/units.hpp"
 
 namespace femsph::compare {
 namespace {
+
+const std::vector<std::pair<std::string, Reference>> price_references = {
+    {"theory", Reference::theory}, {"limit", Reference::limit}};
 
 std::string read_name(Fields& fields, const Study& study) {
   const std::string expected = "a name of letters, digits, _ and -, which files take too";
@@ -23,14 +27,40 @@ std::string read_name(Fields& fields, const Study& study) {
   return name;
 }
 
-std::string read_base(Fields& fields, const Study& study) {
+std::string read_base(Fields& fields, const StudyReading& reading) {
   const auto base = fields.text("base", Need::optional, "the name of a method in tables");
-  const auto known = method_labels(study);
-  if (base && std::find(known.begin(), known.end(), *base) == known.end())
-    fields.fault("base", fmt::format("unknown method {}; expected {}{}", in_quotes(*base), one_of(known),
-                                     did_you_mean(*base, known)));
+  if (base) require_known(fields, "base", "method", *base, method_labels(reading.study), reading.runs_known);
   return base.value_or("");
 }
+
+}  // namespace
+
+KeyTable price_keys() {
+  return {
+      "[[price]]",
+      "What accuracy costs by each method: rules in studies/cost/README.md.",
+      {{"name", key_holds::text, "In price.csv and in names of files: letters, digits, _ and -.", true},
+       {"title", key_holds::text, "For people. The name unless given."},
+       {"quantity", "a text: a quantity of this study, of one scene", "Whose error.", true},
+       {"reference", key_holds::words(price_references), "Error against what. \"limit\" unless given."},
+       {"errors", key_holds::numbers, "Percents above 0. [10, 5, 1, 0.1] unless given."},
+       {"spacing", key_holds::quantity(dimension::length), "All methods side by side at this spacing too."},
+       {"base", "a text: the name of a method in tables",
+        "How many times finer, and dearer, must the others be for its error?"}}};
+}
+
+KeyTable advice_keys() {
+  return {"[[advice]]",
+          "Asks `femsph advise`, follows its advice and compares (not in the quick form).",
+          {{"quantity", "a text: a quantity of this study, of one scene", "Whose error.", true},
+           {"error", key_holds::number, "Percent. Either this or \"within\"."},
+           {"within", key_holds::quantity(dimension::time), "The least error in this CPU time."},
+           {"budget", key_holds::quantity(dimension::time),
+            "CPU time for all ladders together. \"30 s\" unless given."},
+           {"methods", key_holds::texts, "Among which methods. Those of `femsph advise` unless given."}}};
+}
+
+namespace {
 
 void one_price(Fields& fields, StudyReading& reading) {
   const Study& study = reading.study;
@@ -38,10 +68,7 @@ void one_price(Fields& fields, StudyReading& reading) {
   price.name = read_name(fields, study);
   price.title = fields.text("title", Need::optional).value_or(price.name);
   price.quantity = fields.text("quantity", Need::required, one_of(quantity_names(study))).value_or("");
-  price.reference = fields
-                        .choice<Reference>("reference", Need::optional,
-                                           {{"theory", Reference::theory}, {"limit", Reference::limit}})
-                        .value_or(price.reference);
+  price.reference = fields.choice("reference", Need::optional, price_references).value_or(price.reference);
   if (const auto errors = fields.numbers("errors", Need::optional)) {
     price.errors = *errors;
     if (errors->empty() || std::any_of(errors->begin(), errors->end(), [](double e) { return e <= 0; }))
@@ -49,14 +76,13 @@ void one_price(Fields& fields, StudyReading& reading) {
           "errors", "\"errors\" holds no number above 0; expected percents, such as [10, 5, 1, 0.1]");
   }
   price.spacing = fields.quantity("spacing", Need::optional, dimension::length, Sign::positive);
-  price.base = read_base(fields, study);
+  price.base = read_base(fields, reading);
   fields.done();
   const auto quantity = std::find_if(study.quantities.begin(), study.quantities.end(),
                                      [&](const QuantitySpec& q) { return q.name == price.quantity; });
   if (quantity == study.quantities.end()) {
-    const auto known = quantity_names(study);
-    fields.fault("quantity", fmt::format("unknown quantity {}; expected {}{}", in_quotes(price.quantity),
-                                         one_of(known), did_you_mean(price.quantity, known)));
+    require_known(
+        fields, "quantity", "quantity", price.quantity, quantity_names(study), reading.quantities_known);
   } else if (!quantity->scene && study.scenes.size() > 1) {
     fields.fault(
         "quantity", fmt::format("{} is a quantity of several scenes; expected one that names its scene",
@@ -84,10 +110,9 @@ void one_advice(Fields& fields, StudyReading& reading) {
   if (advice.error && *advice.error <= 0) fields.fault("error", "\"error\" is not above 0; expected percent");
   const auto quantity = std::find_if(study.quantities.begin(), study.quantities.end(),
                                      [&](const QuantitySpec& q) { return q.name == advice.quantity; });
-  const auto known = quantity_names(study);
   if (quantity == study.quantities.end())
-    fields.fault("quantity", fmt::format("unknown quantity {}; expected {}{}", in_quotes(advice.quantity),
-                                         one_of(known), did_you_mean(advice.quantity, known)));
+    require_known(
+        fields, "quantity", "quantity", advice.quantity, quantity_names(study), reading.quantities_known);
   else if (quantity->reduce == Reduce::l2 || (!quantity->scene && study.scenes.size() > 1))
     fields.fault(
         "quantity",

@@ -7,9 +7,10 @@
 
 #include "compare/reference/theory.hpp"
 #include "compare/run/plan/run_result.hpp"
+#include "compare/study/reader/study_page.hpp"
 #include "compare/study/reader/study_reading.hpp"
 #include "model/input/units.hpp"
-#include "model/scene/quantities.hpp"
+#include "model/results/history_columns.hpp"
 
 namespace femsph::compare {
 namespace {
@@ -29,12 +30,16 @@ const std::vector<std::pair<std::string, Reduce>> reductions = {
     {"l2", Reduce::l2},
     {"moment", Reduce::moment},
     {"excess", Reduce::excess}};
+const std::vector<std::pair<std::string, SeriesSpec::Kind>> series_kinds = {
+    {"error", SeriesSpec::Kind::error},
+    {"cases", SeriesSpec::Kind::cases},
+    {"history", SeriesSpec::Kind::history},
+    {"profile", SeriesSpec::Kind::profile},
+    {"path", SeriesSpec::Kind::path}};
+const std::vector<std::pair<std::string, Reference>> series_references = {
+    {"theory", Reference::theory}, {"limit", Reference::limit}, {"value", Reference::value}};
 const std::vector<std::pair<std::string, SignRule>> signs = {
     {"as-is", SignRule::as_is}, {"reversed", SignRule::reversed}, {"magnitude", SignRule::magnitude}};
-const std::vector<std::string> energies = {
-    "kinetic_energy", "strain_energy", "hourglass_energy", "external_work", "damping_loss",
-    "viscosity_loss", "plastic_work",  "contact_energy",   "friction_loss"};
-
 std::vector<std::string> scalar_names() {
   std::vector<std::string> names;
   for (const auto& [name, si] : run_scalars()) names.push_back(name);
@@ -47,19 +52,44 @@ std::string scalar_unit(const std::string& scalar) {
   return "1";
 }
 
-/// What the other columns of a history hold (model/motion/README.md): contact_NAME_force_x,
-/// support_NAME_force_x, support_NAME_moment_z, momentum_x, angular_momentum_z, and of a rigid body NAME_x,
-/// NAME_vx, NAME_turn.
-std::string column_unit(const std::string& column) {
-  if (std::find(energies.begin(), energies.end(), column) != energies.end()) return "J";
-  if (column.starts_with("momentum_")) return "kg m/s";
-  if (column.starts_with("angular_momentum_")) return "kg m^2/s";
-  const bool action = column.starts_with("contact_") || column.starts_with("support_");
-  if (action && column.find("_force_") != std::string::npos) return "N";
-  if (action && column.find("_moment_") != std::string::npos) return "N m";
-  if (column.ends_with("_vx") || column.ends_with("_vy") || column.ends_with("_vz")) return "m/s";
-  return column == "time" ? "s" : column.ends_with("_turn") ? "rad" : "m";
+/// The unit of a column of the history, which some scene asked must have: all of them when `scene` names
+/// none.
+std::string column_unit(const Fields& fields, const std::string& column,
+                        const std::optional<std::string>& scene, const Study& study) {
+  std::vector<std::string> known;
+  for (const auto& [file, read] : study.scenes) {
+    if (scene && *scene != file) continue;
+    for (const Column& c : history_columns(read).columns) {
+      if (c.name == column) return c.unit;
+      if (std::find(known.begin(), known.end(), c.name) == known.end()) known.push_back(c.name);
+    }
+  }
+  if (!known.empty())
+    fields.fault("column", fmt::format("no column of a history is called {}; expected {}{}",
+                                       in_quotes(column), one_of(known), did_you_mean(column, known)));
+  return "";
 }
+
+/// Of [[quantities]], [[series]] and their "along": what is read.
+std::vector<Key> observed_keys() {
+  return {
+      {"probe", "a text: a probe of the scene",
+       "One of \"probe\", \"section\", \"energy\", \"scalar\" and \"column\" says what is read."},
+      {"section", "a text: a section of the scene", "The profile at the last sample."},
+      {"energy", "a text: " + one_of(energy_columns()), "A column of energy."},
+      {"scalar", "a text: " + one_of(scalar_names()), "One number of the whole run."},
+      {"column", "a text: a column of the history, such as \"contact_blow_force_x\"", "Any other column."},
+      {"component", "a text: x, xx, 1 or the like", "Of a probe or a section; not of a scalar."},
+      {"unit", "a text: a unit of the same kind, such as \"mm\"", "In tables. SI unless given."}};
+}
+
+std::vector<Key> joined(std::vector<Key> all, const std::vector<Key>& more) {
+  all.insert(all.end(), more.begin(), more.end());
+  return all;
+}
+
+Key theory_key() { return {"theory", "a text: a theory value", "To compare with: see `femsph list`."}; }
+Key scene_key(const char* about) { return {"scene", "a text: the file of a scene that a run uses", about}; }
 
 bool of_section(Reduce reduce) {
   return reduce == Reduce::fibre_upper || reduce == Reduce::fibre_lower || reduce == Reduce::l2 ||
@@ -67,14 +97,14 @@ bool of_section(Reduce reduce) {
 }
 
 template <class T>
-std::optional<Quantity> observer(const std::vector<T>& list, const std::string& name) {
+std::optional<const Quantity*> observer(const std::vector<T>& list, const std::string& name) {
   const auto found = std::find_if(list.begin(), list.end(), [&](const T& o) { return o.name == name; });
   return found == list.end() ? std::nullopt : std::optional(found->quantity);
 }
 
 /// What a probe or a section of this name reads, and the components that it has in every scene asked.
 struct Found {
-  Quantity quantity;
+  const Quantity* quantity;
   std::vector<std::string> components;
 };
 
@@ -94,7 +124,7 @@ std::optional<Found> find_observer(Fields& fields, const char* key, const std::s
       return {};
     }
     if (quantity) {
-      const auto names = component_names(*quantity, read.dim());
+      const auto names = component_names(**quantity, read.dim());
       if (!found || names.size() < found->components.size()) found = {*quantity, names};
       continue;
     }
@@ -144,11 +174,15 @@ Observed read_observed(Fields& fields, const std::optional<std::string>& scene,
         "expected one of \"probe\", \"section\", \"energy\", \"scalar\" and \"column\" in " + fields.name());
     return observed;
   }
-  std::string si = scalar ? scalar_unit(*scalar) : column ? column_unit(*column) : "J";
+  std::string si = scalar ? scalar_unit(*scalar) : column ? column_unit(fields, *column, scene, study) : "J";
   if (const auto known = scalar_names();
-      scalar && std::find(known.begin(), known.end(), *scalar) == known.end())
+      scalar && std::find(known.begin(), known.end(), *scalar) == known.end()) {
     fields.fault("scalar", fmt::format("unknown scalar {}; expected {}{}", in_quotes(*scalar), one_of(known),
                                        did_you_mean(*scalar, known)));
+    return observed;
+  }
+  if (column && si.empty()) return observed;
+  const std::vector<std::string>& energies = energy_columns();
   if (energy && std::find(energies.begin(), energies.end(), *energy) == energies.end())
     fields.fault("energy", fmt::format("unknown energy {}; expected {}{}", in_quotes(*energy),
                                        one_of(energies), did_you_mean(*energy, energies)));
@@ -162,7 +196,7 @@ Observed read_observed(Fields& fields, const std::optional<std::string>& scene,
       fields.fault(
           component ? "component" : key,
           fmt::format("the component is {}; expected {}", in_quotes(observed.component), one_of(known)));
-    si = unit_of(found->quantity);
+    si = found->quantity->unit;
   }
   observed.unit = read_unit(fields, "unit", unit, si_of_reduced.empty() ? si : si_of_reduced);
   observed.si = si;
@@ -195,16 +229,6 @@ std::optional<std::string> read_theory(Fields& fields, const std::optional<std::
     fields.fault("theory", e.what());
     return {};
   }
-}
-
-std::optional<std::string> read_scene_name(Fields& fields, const Study& study) {
-  const auto name = fields.text("scene", Need::optional, "the file of a scene that a run uses");
-  std::vector<std::string> known;
-  for (const auto& [file, scene] : study.scenes) known.push_back(file);
-  if (!name || study.scenes.contains(*name)) return name;
-  fields.fault("scene", fmt::format("no run uses the scene {}; expected {}{}", in_quotes(*name),
-                                    one_of(known), did_you_mean(*name, known)));
-  return {};
 }
 
 /// A number in the unit of the table, such as reference = "25.18 mm", or a plain number where the unit is 1
@@ -286,9 +310,12 @@ std::optional<ReferenceTable> read_table(Fields& fields, const QuantitySpec& qua
 
 void one_quantity(Fields& fields, StudyReading& reading) {
   QuantitySpec quantity;
-  quantity.name = fields.text("name", Need::required, "a name for the tables").value_or("");
-  quantity.scene = read_scene_name(fields, reading.study);
-  quantity.methods = read_names(fields, "methods", method_labels(reading.study), "method");
+  const auto name = fields.text("name", Need::required, "a name for the tables");
+  if (!name) reading.quantities_known = false;
+  quantity.name = name.value_or("");
+  quantity.scene = read_scene_name(fields, Need::optional, reading);
+  quantity.methods = read_names(
+      fields, "methods", method_labels(reading.study), "method", reading.runs_known);
   const auto reduce = fields.choice<Reduce>("reduce", Need::optional, reductions);
   quantity.reduce = reduce.value_or(Reduce::final);
   const std::string si = quantity.reduce == Reduce::frequency                                       ? "Hz"
@@ -364,30 +391,18 @@ void one_series(Fields& fields, StudyReading& reading) {
   const Study& study = reading.study;
   SeriesSpec series;
   series.file = read_file_name(fields);
-  series.kind = fields
-                    .choice<Kind>("kind", Need::required,
-                                  {{"error", Kind::error},
-                                   {"cases", Kind::cases},
-                                   {"history", Kind::history},
-                                   {"profile", Kind::profile},
-                                   {"path", Kind::path}})
-                    .value_or(Kind::error);
-  series.cases = read_names(fields, "cases", case_names(study), "case");
-  series.methods = read_names(fields, "methods", method_labels(study), "method");
+  series.kind = fields.choice("kind", Need::required, series_kinds).value_or(Kind::error);
+  series.cases = read_names(fields, "cases", case_names(study), "case", reading.runs_known);
+  series.methods = read_names(fields, "methods", method_labels(study), "method", reading.runs_known);
   if (series.kind == Kind::error || series.kind == Kind::cases) {
     const auto known = quantity_names(study);
     series.quantity = fields.text("quantity", Need::required, one_of(known)).value_or("");
     series.reference =
-        fields
-            .choice<Reference>(
-                "reference", Need::optional,
-                {{"theory", Reference::theory}, {"limit", Reference::limit}, {"value", Reference::value}})
-            .value_or(Reference::theory);
-    if (!series.quantity.empty() && std::find(known.begin(), known.end(), series.quantity) == known.end())
-      fields.fault("quantity", fmt::format("unknown quantity {}; expected {}{}", in_quotes(series.quantity),
-                                           one_of(known), did_you_mean(series.quantity, known)));
+        fields.choice("reference", Need::optional, series_references).value_or(Reference::theory);
+    if (!series.quantity.empty())
+      require_known(fields, "quantity", "quantity", series.quantity, known, reading.quantities_known);
   } else {
-    series.scene = read_scene_name(fields, study);
+    series.scene = read_scene_name(fields, Need::optional, reading);
     series.observed = read_observed(fields, series.scene, "", study);
     if (series.kind == Kind::path) {
       auto along = fields.table(
@@ -409,6 +424,57 @@ void one_series(Fields& fields, StudyReading& reading) {
 }
 
 }  // namespace
+
+KeyTable quantity_keys() {
+  return {
+      "[[quantities]]", "A number to take from every run: one row of the table for each.",
+      joined(
+          joined({{"name", key_holds::text, "In tables.", true}}, observed_keys()),
+          {{"reduce", key_holds::words(reductions),
+            "What is made of a history: its last value (unless given), extremes, the largest magnitude, the "
+            "mean, the frequency or period, the integral over time (of a force), the time from the first to "
+            "the last value that is not zero; of a section: its upper or lower end, the distance \"l2\" from "
+            "theory or limit in percent (of a probe: of its history), the \"moment\" of its stress; "
+            "\"excess\": how far an equivalent stress lies above its yield curve."},
+           {"sign", key_holds::words(signs), "Of value, theory and limit alike. \"as-is\" unless given."},
+           {"window", key_holds::quantities(dimension::time), "Two times: the part of a history to look at."},
+           theory_key(),
+           {"reference", "a number with the unit of the quantity in quotes; a number where that is 1 or %",
+            "To compare with, in place of a theory."},
+           {"reference_file", "a text: a CSV file beside the study, \"time [s],NAME [unit]\" above",
+            "With \"l2\" of a probe: a history to compare with, in place of a theory."},
+           {"offset", "a number with the unit of the quantity in quotes; a number where that is 1 or %",
+            "Added to the value; with \"reference\" or nothing to compare with."},
+           scene_key("Only of runs of that scene."),
+           {"methods", key_holds::texts, "Only of runs with these labels."}})};
+}
+
+KeyTable quantity_along_keys() {
+  return {"[quantities.along]", "With \"excess\", inline: the equivalent plastic strain.", observed_keys()};
+}
+
+KeyTable series_keys() {
+  return {
+      "[[series]]", "A file under data/ for figures.",
+      joined({{"file", key_holds::text, "Its name, ending in .csv.", true},
+              {"kind", key_holds::words(series_kinds),
+               "The error of a quantity over spacings, or over cases; a history; the profile of a section; "
+               "or a path: one history over another.",
+               true},
+              {"cases", key_holds::texts, "Of these cases."},
+              {"methods", key_holds::texts, "Of these labels."},
+              {"quantity", "a text: a quantity of this study", "Whose error.", false,
+               "with kind \"error\" or \"cases\""},
+              {"reference", key_holds::words(series_references), "Of the errors. \"theory\" unless given."},
+              scene_key("Whose theory. The first run's unless given."),
+              theory_key(),
+              {"time_unit", "a text: a unit of time", "Of a history. \"ms\" unless given."}},
+             observed_keys())};
+}
+
+KeyTable series_along_keys() {
+  return {"[series.along]", "With kind \"path\", inline: what the abscissa is.", observed_keys()};
+}
 
 void read_quantities(Fields& root, StudyReading& reading) {
   for (Fields& fields : root.tables("quantities")) one_quantity(fields, reading);

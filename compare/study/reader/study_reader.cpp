@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <filesystem>
 
+#include "compare/study/reader/study_page.hpp"
 #include "compare/study/reader/study_reading.hpp"
 #include "model/scene/reader/reader.hpp"
 
@@ -38,7 +39,7 @@ void read_collected(Fields& root, StudyReading& reading, bool may_collect) {
 Study parse(const std::string& text, const std::string& file, bool may_collect) {
   const toml::table table = parse_toml(text, file);
   Faults faults;
-  Fields root(table, "", faults);
+  Fields root(table, faults, study_page());
   Study study;
   study.file = file;
   study.folder = fs::path(file).has_parent_path() ? fs::path(file).parent_path().string() : ".";
@@ -68,25 +69,59 @@ Study parse(const std::string& text, const std::string& file, bool may_collect) 
 
 }  // namespace
 
+KeyTable study_top_keys() {
+  return {
+      "",
+      "Keys before the first table.",
+      {{"title", key_holds::text, "One line for people.", true},
+       {"scene", "a text: the file of a scene, beside the study",
+        "Of [[runs]] that name none. \"scene.toml\" unless given."},
+       {"studies", key_holds::texts,
+        "Names of neighbouring studies that are run too; their rows are this study's, for its claims."},
+       {"repeat", key_holds::count,
+        "How often every run is made, for the spread of its time (not in the quick form). 1 unless given."}}};
+}
+
 const Scene* scene_of(const Fields& fields, const char* key, const std::string& file, StudyReading& reading) {
   auto& scenes = reading.study.scenes;
   if (const auto known = scenes.find(file); known != scenes.end()) return &known->second;
+  if (reading.bad_scenes.contains(file)) return nullptr;
   try {
     return &scenes.emplace(file, read_scene((fs::path(reading.study.folder) / file).string())).first->second;
   } catch (const InputError& e) {
+    reading.bad_scenes.insert(file);
     fields.fault(key, fmt::format("the scene {} cannot be used:\n{}", in_quotes(file), e.what()));
     return nullptr;
   }
 }
 
+bool require_known(const Fields& fields, const char* key, const std::string& what, const std::string& name,
+                   const std::vector<std::string>& known, bool complete) {
+  if (std::find(known.begin(), known.end(), name) != known.end()) return true;
+  if (complete)
+    fields.fault(key, fmt::format("unknown {} {}; expected {}{}", what, in_quotes(name), one_of(known),
+                                  did_you_mean(name, known)));
+  return false;
+}
+
 std::vector<std::string> read_names(Fields& fields, const char* key, const std::vector<std::string>& known,
-                                    const std::string& what) {
+                                    const std::string& what, bool complete) {
   const auto names = fields.texts(key, Need::optional, fmt::format("a list of {}s", what));
   for (const std::string& name : names.value_or(std::vector<std::string>{}))
-    if (std::find(known.begin(), known.end(), name) == known.end())
-      fields.fault(key, fmt::format("unknown {} {}; expected {}{}", what, in_quotes(name), one_of(known),
-                                    did_you_mean(name, known)));
+    require_known(fields, key, what, name, known, complete);
   return names.value_or(std::vector<std::string>{});
+}
+
+std::optional<std::string> read_scene_name(Fields& fields, Need need, const StudyReading& reading) {
+  const auto name = fields.text("scene", need, "the file of a scene that a run uses");
+  const auto& scenes = reading.study.scenes;
+  if (!name || scenes.contains(*name)) return name;
+  std::vector<std::string> known;
+  for (const auto& [file, scene] : scenes) known.push_back(file);
+  if (!reading.bad_scenes.contains(*name))
+    fields.fault("scene", fmt::format("no run uses the scene {}; expected {}{}", in_quotes(*name),
+                                      one_of(known), did_you_mean(*name, known)));
+  return {};
 }
 
 namespace {

@@ -5,11 +5,53 @@
 #include <algorithm>
 #include <charconv>
 
-#include "compare/run/plan/overrides.hpp"
+#include "compare/run/plan/method_option.hpp"
+#include "compare/study/reader/study_page.hpp"
 #include "compare/study/reader/study_reading.hpp"
 #include "model/input/units.hpp"
 
 namespace femsph::compare {
+
+KeyTable run_keys() {
+  return {
+      "[[runs]]",
+      "Every method with every resolution. One such table is one ladder of orders.csv.",
+      {{"methods", key_holds::texts, "Names of methods: see `femsph list`.", true},
+       {"spacing", key_holds::quantities(dimension::length),
+        "Particle spacings, or edges of cells. Either this or \"divisions\"."},
+       {"divisions", key_holds::texts, "Cells along the axes, such as [\"20x2\", \"40x4\"]."},
+       {"cases", key_holds::texts, "A name for each resolution. \"20x2\" or \"d=20mm\" unless given."},
+       {"quick", key_holds::texts, "The cases that --quick runs. None unless given."},
+       {"scene", "a text: the file of a scene, beside the study", "The study's scene unless given."},
+       {"supports", key_holds::numbers,
+        "SPH with each of these smoothing lengths, h over the spacing, as a method of its own."},
+       {"safety", key_holds::number,
+        "The step over the critical one, up to 2 (beyond 1: to see what then happens). 0.9 unless given."},
+       {"step", key_holds::quantity(dimension::time), "A fixed step, in place of \"safety\"."},
+       {"label", key_holds::text,
+        "A name for the one method in tables. Its name and options unless given."}}};
+}
+
+KeyTable limit_keys() {
+  return {
+      "[limit]",
+      "The converged static solution of the elastic body, by FEM of high degree, to compare with: of every "
+      "scene that [[limits]] does not name.",
+      {{"divisions", "a text: cells along the axes, such as \"100x10\"", "The mesh.", true},
+       {"degree", key_holds::count, "Of the shape functions, 1 to 8. 4 unless given."}}};
+}
+
+KeyTable scene_limit_keys() {
+  return {"[[limits]]",
+          "The same for one scene; or Richardson's limit of a ladder, for any scene and quantity.",
+          {{"scene", "a text: the file of a scene that a run uses", "Which scene.", true},
+           {"divisions", "a text: cells along the axes, such as \"100x10\"", "The mesh.", false,
+            "unless \"ladder\" is given"},
+           {"degree", key_holds::count, "Of the shape functions, 1 to 8. 4 unless given."},
+           {"ladder", "a text: the name of a method in tables",
+            "The method whose three or more spacings are extrapolated.", false,
+            "unless \"divisions\" is given"}}};
+}
 
 std::vector<Method> read_methods(Fields& fields, Need need) {
   std::vector<Method> found;
@@ -43,12 +85,15 @@ std::vector<Resolution> read_resolutions(Fields& fields, int dim) {
   for (const double spacing : spacings.value_or(std::vector<double>{})) all.push_back({spacing, {}});
   for (const std::string& text : divisions.value_or(std::vector<std::string>{})) {
     const auto cells = parse_divisions(text);
-    if (cells && ((*cells)[2] > 0) == (dim == 3))
+    if (cells && (dim == 0 || ((*cells)[2] > 0) == (dim == 3)))
       all.push_back({0, *cells});
     else
       fields.fault(
-          "divisions", fmt::format("{} in \"divisions\"; expected {} whole numbers with \"x\" between",
-                                   in_quotes(text), dim));
+          "divisions",
+          fmt::format("{} in \"divisions\"; expected {} whole numbers with \"x\" between", in_quotes(text),
+                      dim == 0   ? "2 or 3"
+                      : dim == 2 ? "2"
+                                 : "3"));
   }
   return all;
 }
@@ -59,13 +104,16 @@ std::string default_case(const Resolution& resolution) {
   return n[2] > 0 ? fmt::format("{}x{}x{}", n[0], n[1], n[2]) : fmt::format("{}x{}", n[0], n[1]);
 }
 
-std::vector<std::string> read_cases(Fields& fields, const std::vector<Resolution>& resolutions) {
+/// `complete`: no resolution was at fault, so that their number counts.
+std::vector<std::string> read_cases(Fields& fields, const std::vector<Resolution>& resolutions,
+                                    bool complete) {
   std::vector<std::string> defaults;
   for (const Resolution& resolution : resolutions) defaults.push_back(default_case(resolution));
   const auto cases = fields.texts(
       "cases", Need::optional, "a list of names, one for each spacing or division");
   if (!cases) return defaults;
   if (cases->size() == resolutions.size()) return *cases;
+  if (!complete) return defaults;
   fields.fault("cases", fmt::format("{} cases for {} resolutions; expected as many", cases->size(),
                                     resolutions.size()));
   return defaults;
@@ -81,13 +129,13 @@ std::vector<std::optional<double>> read_smoothing_lengths(Fields& fields, const 
     return {std::nullopt};
   }
   const auto given = fields.numbers(key, Need::optional);
+  const OptionRange& range = *method_option("smoothing").range;
   if (!given) return {std::nullopt};
-  if (given->empty() ||
-      std::any_of(given->begin(), given->end(), [](double h) { return !option_range("smoothing").holds(h); }))
+  if (given->empty() || std::any_of(given->begin(), given->end(), [&](double h) { return !range.holds(h); }))
     fields.fault(key, fmt::format("\"smoothing_lengths\" holds something else than {}; expected smoothing "
                                   "lengths over the spacing, such as [1.0, 1.2, 1.4]",
-                                  option_range("smoothing").describe()));
-  if (overrides.smoothing || fields.has("label"))
+                                  range.describe()));
+  if (overrides.has("smoothing") || fields.has("label"))
     fields.fault(key, "\"smoothing_lengths\" beside a smoothing or a label; expected one of them");
   for (const Method& method : chosen)
     if (method.is_fem())
@@ -118,12 +166,15 @@ void one_block(Fields& fields, StudyReading& reading, int ladder) {
   const std::string file =
       fields.text("scene", Need::optional, "the file of a scene").value_or(reading.default_scene);
   const Scene* scene = scene_of(fields, "scene", file, reading);
+  std::size_t faults = reading.faults.size();
   std::vector<Method> chosen = read_methods(fields, Need::required);
-  const auto resolutions = read_resolutions(fields, scene ? scene->dim() : 2);
-  const auto cases = read_cases(fields, resolutions);
-  const auto quick = read_names(fields, "quick", cases, "case");
-  const auto step = fields.quantity("step", Need::optional, dimension::time, Sign::positive);
+  const std::size_t before = reading.faults.size();
+  const auto resolutions = read_resolutions(fields, scene ? scene->dim() : 0);
+  const auto cases = read_cases(fields, resolutions, reading.faults.size() == before);
   const auto label = fields.text("label", Need::optional, "a name for the method in tables");
+  if (reading.faults.size() > faults) reading.runs_known = false;
+  const auto quick = read_names(fields, "quick", cases, "case", reading.runs_known);
+  const auto step = fields.quantity("step", Need::optional, dimension::time, Sign::positive);
   const std::string safety_expected =
       "a number above 0, up to 2: the step over the critical step";  // beyond 1: to see what then happens
   const auto safety = fields.number("safety", Need::optional, safety_expected);
@@ -133,16 +184,18 @@ void one_block(Fields& fields, StudyReading& reading, int ladder) {
   refuse_same_cells(fields, scene, chosen, resolutions.size());
   if (label && chosen.size() > 1)
     fields.fault("label", "\"label\" with several methods; expected it with one");
+  faults = reading.faults.size();
   Overrides overrides;
   if (auto options = fields.table("options", Need::optional, "a table such as {smoothing = 1.2}"))
     overrides = read_overrides(*options, chosen);
   const auto smoothing_lengths = read_smoothing_lengths(fields, chosen, overrides);
+  if (reading.faults.size() > faults) reading.runs_known = false;
   fields.done();
   for (std::size_t i = 0; i < resolutions.size(); ++i)
     for (const Method& method : chosen)
       for (const auto& smoothing : smoothing_lengths) {
         Overrides changes = overrides;
-        if (smoothing) changes.smoothing = smoothing;
+        if (smoothing) changes.set("smoothing", *smoothing);
         const std::string name = label.value_or(
             method.name + overrides.describe() + smoothing_label(smoothing));
         PlannedRun run{cases[i], name, method, resolutions[i], file, {}, false, ladder};
@@ -197,36 +250,28 @@ LimitSpec one_limit(Fields& fields, int dim) {
 }
 
 /// Richardson's limit of a ladder: three rungs of that label and scene at least.
-LimitSpec ladder_limit(Fields& fields, const std::string& scene, const Study& study) {
+LimitSpec ladder_limit(Fields& fields, const std::string& scene, const StudyReading& reading) {
+  const Study& study = reading.study;
   LimitSpec limit;
   limit.ladder = fields.text("ladder", Need::required, "the name of a method in tables").value_or("");
-  const auto known = method_labels(study);
   const auto rungs = std::count_if(study.runs.begin(), study.runs.end(), [&](const PlannedRun& run) {
     return run.label == limit.ladder && run.scene == scene;
   });
-  if (std::find(known.begin(), known.end(), limit.ladder) == known.end())
-    fields.fault("ladder", fmt::format("unknown method {}; expected {}{}", in_quotes(limit.ladder),
-                                       one_of(known), did_you_mean(limit.ladder, known)));
-  else if (rungs < 3)
+  if (require_known(fields, "ladder", "method", limit.ladder, method_labels(study), reading.runs_known) &&
+      rungs < 3 && reading.runs_known)
     fields.fault(
         "ladder", fmt::format("{} runs {} at {} spacings; expected three or more to extrapolate from",
                               in_quotes(limit.ladder), in_quotes(scene), rungs));
   return limit;
 }
 
-void scene_limit(Fields& fields, Study& study) {
-  std::vector<std::string> known;
-  for (const auto& [file, scene] : study.scenes) known.push_back(file);
-  const auto name = fields.text("scene", Need::required, "the file of a scene that a run uses");
-  const auto scene = name ? study.scenes.find(*name) : study.scenes.end();
-  if (name && scene == study.scenes.end())
-    fields.fault("scene", fmt::format("no run uses the scene {}; expected {}{}", in_quotes(*name),
-                                      one_of(known), did_you_mean(*name, known)));
-  if (scene == study.scenes.end()) return fields.accept_rest();
-  const LimitSpec limit = fields.has("ladder") ? ladder_limit(fields, *name, study)
-                                               : one_limit(fields, scene->second.dim());
+void scene_limit(Fields& fields, StudyReading& reading) {
+  const auto name = read_scene_name(fields, Need::required, reading);
+  if (!name) return fields.accept_rest();
+  const LimitSpec limit = fields.has("ladder") ? ladder_limit(fields, *name, reading)
+                                               : one_limit(fields, reading.study.scenes.at(*name).dim());
   fields.done();
-  study.limits[*name] = limit;
+  reading.study.limits[*name] = limit;
 }
 
 }  // namespace
@@ -237,7 +282,7 @@ void read_limit(Fields& root, StudyReading& reading) {
     reading.study.limit = one_limit(*fields, 0);
     fields->done();
   }
-  for (Fields& fields : root.tables("limits")) scene_limit(fields, reading.study);
+  for (Fields& fields : root.tables("limits")) scene_limit(fields, reading);
 }
 
 }  // namespace femsph::compare

@@ -101,35 +101,45 @@ const std::vector<std::pair<std::string, Integration>>& integrations() {
 }
 
 Entry Plastic::entry() {
-  return {
-      "plastic",
-      "von Mises plasticity, hardening linearly or by Johnson and Cook",
-      {{"yield", "a pressure", "yield stress; A of Johnson and Cook", true},
-       {"hardening", "a pressure", "H: what the yield stress gains per equivalent plastic strain"},
-       {"tangent_ratio", "a number", "in place of hardening: r = Et/E, H = E r / (1 - r)"},
-       {"johnson_cook", "a table", "in place of hardening: how the metal hardens, by rate and heat too"},
-       {"tension", "\"none\", \"sign\", \"principal\"",
-        "sign: another yield stress where the mean stress is tension; principal: no principal stress above "
-        "tensile_strength"},
-       {"tensile_strength", "a pressure", "with tension = \"sign\" or \"principal\""},
-       {"integration", "\"return\", \"no-return-1\", \"no-return-3\", \"no-return-8\"",
-        "return mapping, or one of three hypotheses about a computation without it"}}};
+  const std::string pressure = key_holds::quantity(dimension::pressure);
+  return {"plastic",
+          "von Mises plasticity, hardening linearly or by Johnson and Cook",
+          {{"yield", pressure, "The yield stress; A of Johnson and Cook.", true},
+           {"hardening", pressure,
+            "H, the slope of the yield stress over the plastic strain. Either this or \"tangent_ratio\"."},
+           {"tangent_ratio", key_holds::number,
+            "r = Et/E of the uniaxial curve, 0 to below 1: H = E r / (1 - r). Either this or \"hardening\"."},
+           {"tension", key_holds::words(std::vector<std::string>{"none", "sign", "principal"}),
+            "A limit on tension: \"sign\" takes \"tensile_strength\" as the yield stress where the mean "
+            "stress is tension, \"principal\" cuts principal stresses at it. \"none\" unless given."},
+           {"tensile_strength", pressure, "The limit of the tension rule.", false,
+            "with \"sign\" or \"principal\""},
+           {"integration", key_holds::words(integrations()),
+            "How the stress is brought to the yield surface: \"return\" (unless given) maps it back, the "
+            "others let it pass, for comparison."}}};
 }
 
 std::vector<KeyTable> Plastic::tables() {
-  return {{"[materials.NAME.johnson_cook]",
-           "Y = (A + B p^n) (1 + C ln max(pdot / reference_rate, 1)) (1 - T*^m), "
-           "T* = (T - room) / (melting - room)",
-           {{"B", "a pressure", "hardening modulus", true},
-            {"n", "a number", "exponent of the plastic strain, above 0 and at most 1", true},
-            {"C", "a number", "effect of the rate, from 0 to 1; 0 unless given"},
-            {"reference_rate", "a rate", "plastic strain rate without effect; required with C"},
-            {"melting", "a temperature", "of the metal; without it heat has no effect"},
-            {"m", "a number", "exponent of the temperature; required with melting"},
-            {"room", "a temperature", "without effect; required with melting"},
-            {"heat_capacity", "a heat capacity", "per mass; required with melting"},
-            {"heat_share", "a number", "of plastic work that turns to heat, from 0 to 1; 0.9 unless given"},
-            {"temperature", "a temperature", "at the start; room unless given"}}}};
+  const std::string temperature = key_holds::quantity(dimension::temperature);
+  return {
+      {"[materials.NAME.johnson_cook]",
+       "Of a plastic material, in place of \"hardening\": the yield stress is (A + B p^n) (1 + C ln(rate / "
+       "reference_rate)) (1 - T*^m), T* = (T - room) / (melting - room). Without \"melting\" heat has no "
+       "effect.",
+       {{"B", key_holds::quantity(dimension::pressure), "The coefficient of hardening.", true},
+        {"n", key_holds::number, "The exponent of the plastic strain p, above 0 and at most 1.", true},
+        {"C", key_holds::number, "The coefficient of the strain rate, 0 to 1. 0 unless given."},
+        {"reference_rate", key_holds::quantity(dimension::rate),
+         "The plastic strain rate at which C adds nothing.", false, "with C above 0"},
+        {"melting", temperature, "The melting temperature."},
+        {"m", key_holds::number, "The exponent of the temperature, up to 10.", false, "with \"melting\""},
+        {"room", temperature, "The temperature at which A, B and n were measured.", false,
+         "with \"melting\""},
+        {"temperature", temperature, "At the start. \"room\" unless given."},
+        {"heat_capacity", key_holds::quantity(dimension::heat_capacity), "Per mass.", false,
+         "with \"melting\""},
+        {"heat_share", key_holds::number,
+         "The share of the plastic work that turns to heat, 0 to 1. 0.9 unless given."}}}};
 }
 
 Plasticity Plastic::read(Fields& fields, const LawInput& in) {

@@ -1,22 +1,56 @@
 #include "model/scene/reader/reader.hpp"
 
+#include "model/scene/reader/scene_page.hpp"
 #include "model/scene/reader/scene_reader.hpp"
 #include "model/scene/singular.hpp"
 
 namespace femsph {
 namespace scene_reader {
+namespace {
+
+const std::vector<std::pair<std::string, Plane>> planes = {
+    {"stress", Plane::stress}, {"strain", Plane::strain}, {"none", Plane::none}};
+const std::vector<std::pair<std::string, bool>> motions = {{"small", false}, {"large", true}};
+
+}  // namespace
+
+KeyTable top_keys() {
+  return {"", "Keys before the first table.", {{"title", key_holds::text, "One line for people."}}};
+}
+
+KeyTable model_keys() {
+  return {
+      "[model]",
+      "What all bodies have in common.",
+      {{"plane", key_holds::words(planes), "Plane stress, plane strain, or none: three-dimensional.", true},
+       {"motion", key_holds::words(motions),
+        "\"large\" lets material axes rotate and strains be finite. \"small\" unless given."}},
+      {},
+      {},
+      true};
+}
 
 void read_model(Fields& root, Reading& reading) {
   auto model = root.table("model", Need::required, "a table with plane = \"stress\", \"strain\" or \"none\"");
   if (!model) return;
-  const auto plane = model->choice<Plane>(
-      "plane", Need::required, {{"stress", Plane::stress}, {"strain", Plane::strain}, {"none", Plane::none}});
-  const auto large = model->choice<bool>("motion", Need::optional, {{"small", false}, {"large", true}});
+  const auto plane = model->choice("plane", Need::required, planes);
+  const auto large = model->choice("motion", Need::optional, motions);
   model->done();
   reading.scene.plane = plane.value_or(Plane::stress);
   reading.scene.large_motion = large.value_or(false);
   if (plane) reading.dim = reading.scene.dim();
   reading.motion_known = large || !model->has("motion");
+}
+
+KeyTable time_keys() {
+  return {"[time]",
+          "How long the scene is followed, and what is kept of it.",
+          {{"duration", key_holds::quantity(dimension::time), "With [settling]: at most this long.", true},
+           {"samples", key_holds::count, "Rows of the histories over the duration. 400 unless given."},
+           {"snapshots", key_holds::count, "Fields written over the duration. 20 unless given."}},
+          {},
+          {},
+          true};
 }
 
 void read_time(Fields& root, Reading& reading) {
@@ -36,7 +70,7 @@ Scene parse_scene(const std::string& text, const std::string& file) {
   const toml::table table = parse_toml(text, file);
   Scene scene;
   Faults faults;
-  Fields root(table, "", faults);
+  Fields root(table, faults, scene_page());
   Reading reading{scene, faults, std::filesystem::path(file).parent_path()};
 
   scene.file = file;

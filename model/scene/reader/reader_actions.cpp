@@ -5,7 +5,6 @@
 #include <algorithm>
 
 #include "model/motion/effects/catalogue.hpp"
-#include "model/scene/reader/scene_keys.hpp"
 #include "model/scene/reader/scene_reader.hpp"
 
 namespace femsph::scene_reader {
@@ -118,7 +117,9 @@ void read_supports(Fields& root, Reading& reading) {
       read_rigid_support(fields, *place, reading);
       continue;
     }
-    const auto fixed = read_fixed(fields, reading.dim);
+    // Of an unknown place it is not known which components there are.
+    const auto fixed = !place && fields.has("fix") ? (fields.accept("fix"), std::nullopt)
+                                                   : read_fixed(fields, reading.dim);
     const auto mean = fields.choice<bool>("mode", Need::optional, {{"each", false}, {"mean", true}});
     const auto velocity = fields.vector("velocity", Need::optional, dimension::velocity, reading.dim);
     const auto history = read_history(fields);
@@ -228,76 +229,3 @@ void read_settling(Fields& root, Reading& reading) {
 }
 
 }  // namespace femsph::scene_reader
-
-namespace femsph {
-
-namespace {
-
-const std::vector<Key> place_keys = {
-    {"body", "the name of a body", "where; may be left out if there is one body only"},
-    {"at", "a text", "sides such as \"x+\", or \"x+ y+\" where they meet, or \"all\""},
-    {"point", "a point", "instead of \"at\": the particle or node nearest to it"},
-    {"within", "two corners of a box", "only the points of \"at\" that lie in there"}};
-
-std::vector<Key> with_place(std::vector<Key> more) {
-  std::vector<Key> keys = place_keys;
-  keys.insert(keys.end(), more.begin(), more.end());
-  return keys;
-}
-
-const Key history_key = {"history", "\"step\", {ramp = a time}, or {time = times, factor = numbers}",
-                         "the factor on it over time; default \"step\": 1 from the start"};
-
-}  // namespace
-
-const KeyTable& supports_keys() {
-  static const KeyTable table = {
-      "[[supports]]", "displacements that are held, or move as told",
-      with_place({{"fix", "a list of components",
-                   "\"x\", \"y\", \"z\"; of a rigid body also \"turn\" (in space \"turn-x\", ..)", true},
-                  {"mode", "\"each\" or \"mean\"", "hold every point (default), or the mean over the place"},
-                  {"velocity", "a list of velocities", "the held components move at it, times the history"},
-                  history_key,
-                  {"name", "a name", "histories have its reaction, support_NAME_force_x, .."}})};
-  return table;
-}
-
-const KeyTable& loads_keys() {
-  static const KeyTable table = {
-      "[[loads]]", "forces and pressures",
-      with_place({{"force", "a list of forces", "the total, shared out over the place; or \"pressure\""},
-                  {"pressure", "a pressure", "inward on one side, over its area at the start; small motion"},
-                  history_key})};
-  return table;
-}
-
-const KeyTable& gravity_keys() {
-  static const KeyTable table = {
-      "[gravity]", "a body force", {{"acceleration", "a list of accelerations", "zero: no gravity", true}}};
-  return table;
-}
-
-const KeyTable& damping_keys() {
-  static const KeyTable table = {
-      "[damping]", "mass-proportional damping", {{"rate", "a rate", "c of the force -c m v", true}}};
-  return table;
-}
-
-const KeyTable& settling_keys() {
-  static const KeyTable table = {
-      "[settling]",
-      "march until at rest: the static state",
-      {{"method", "\"damping\" or \"kinetic\"", "damped, or from rest at each peak of kinetic energy", true},
-       {"tolerance", "a number above 0 and below 1", "of forces out of balance and what moves; default 1e-4"},
-       {"rate", "a rate", "c of method \"damping\"; default: critical for the slowest motion"}}};
-  return table;
-}
-
-std::vector<KeyTable> effect_tables() {
-  std::vector<KeyTable> tables;
-  for (const EffectEntry& effect : effects())
-    if (effect.read) tables.push_back({"[" + effect.table + "]", effect.about, effect.keys});
-  return tables;
-}
-
-}  // namespace femsph

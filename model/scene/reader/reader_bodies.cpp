@@ -68,7 +68,10 @@ void warn_of_bad_corners(const Fields& fields, const Shape* shape, const Reading
 Body read_body(const std::string& name, Fields& fields, const Reading& reading) {
   Body body{name, read_shape(fields, reading.dim, reading.folder), 1.0, ""};
   warn_of_bad_corners(fields, body.shape.get(), reading);
-  body.rigid = fields.flag("rigid", Need::optional).value_or(false);
+  const auto rigid = fields.flag("rigid", Need::optional);
+  if (!rigid && fields.has("rigid"))
+    return fields.accept_rest(), body;  // which keys belong here is not known
+  body.rigid = rigid.value_or(false);
   if (body.rigid) return read_rigid_body(fields, body, reading), body;
   const Need need = reading.dim == 2 ? Need::required : Need::optional;
   body.thickness = fields.quantity("thickness", need, dimension::length, Sign::positive).value_or(1.0);

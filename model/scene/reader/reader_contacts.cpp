@@ -4,7 +4,6 @@
 
 #include <algorithm>
 
-#include "model/scene/reader/scene_keys.hpp"
 #include "model/scene/reader/scene_reader.hpp"
 
 namespace femsph::scene_reader {
@@ -19,6 +18,7 @@ std::optional<std::array<std::size_t, 2>> read_between(Fields& fields, const Rea
                "between", fmt::format("\"between\" does not name two bodies; expected {}", expected)),
            std::nullopt;
   const std::vector<std::string> names = body_names(reading.scene);
+  if (names.empty()) return {};  // said where bodies are read
   std::array<std::size_t, 2> between{};
   for (int k = 0; k < 2; ++k) {
     const auto found = std::find(names.begin(), names.end(), (*given)[k]);
@@ -153,20 +153,3 @@ void require_deformable(const Fields& fields, const char* what, std::size_t body
 }
 
 }  // namespace femsph::scene_reader
-
-namespace femsph {
-
-const KeyTable& contacts_keys() {
-  static const KeyTable table = {
-      "[[contacts]]",
-      "two bodies that press on each other, or are bonded",
-      {{"between", "two names of bodies", "one of them deforms at least; tied: both", true},
-       {"kind", "\"press\" or \"tied\"",
-        "press where they touch (default), or bonded where they touch at t = 0"},
-       {"stiffness", "a number above 0", "a factor on the penalty; default 1"},
-       {"friction", "a number of 0 or more", "Coulomb's coefficient; default 0"},
-       {"name", "a name", "of its columns in histories; default NAME1-NAME2"}}};
-  return table;
-}
-
-}  // namespace femsph

@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "model/scene/reader/scene_keys.hpp"
 #include "model/scene/reader/scene_reader.hpp"
 
 namespace femsph::scene_reader {
@@ -103,32 +102,3 @@ void read_initial_displacements(Fields& root, Reading& reading) {
 }
 
 }  // namespace femsph::scene_reader
-
-namespace femsph {
-
-const KeyTable& initial_keys() {
-  static const KeyTable table = {
-      "[[initial]]",
-      "motion of a body at t = 0: v = velocity + spin x (X - centre) + gradient (X - centre), times the "
-      "profile; several add up",
-      {{"body", "the name of a body", "may be left out if there is one body only"},
-       {"velocity", "a list of velocities", ""},
-       {"spin", "a rate, in space a list of rates", "in a plane about z"},
-       {"gradient", "rows of rates", "dv_i/dX_j; of a body that deforms"},
-       {"centre", "a point", "of spin and gradient; default the origin"},
-       {"profile", "{axis = \"y\", wavelength = a length, origin = a length}",
-        "a factor sin(2 pi (X_axis - origin) / wavelength); of a body that deforms"}}};
-  return table;
-}
-
-const KeyTable& initial_displacements_keys() {
-  static const KeyTable table = {
-      "[[initial_displacements]]",
-      "displacement of a body at t = 0: u = gradient (X - centre)",
-      {{"body", "the name of a body", "may be left out if there is one body only"},
-       {"gradient", "rows of numbers", "du_i/dX_j", true},
-       {"centre", "a point", "default the origin"}}};
-  return table;
-}
-
-}  // namespace femsph

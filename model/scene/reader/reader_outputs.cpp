@@ -5,31 +5,22 @@
 #include <algorithm>
 #include <cctype>
 
-#include "model/scene/quantities.hpp"
+#include "model/scene/reader/scene_page.hpp"
 #include "model/scene/reader/scene_reader.hpp"
 
 namespace femsph::scene_reader {
 namespace {
 
-std::optional<Quantity> read_observed(Fields& fields) {
-  return fields.choice<Quantity>(
-      "quantity", Need::required,
-      {{"displacement", Quantity::displacement},
-       {"velocity", Quantity::velocity},
-       {"stress", Quantity::stress},
-       {"strain", Quantity::strain},
-       {"plastic_strain", Quantity::plastic_strain},
-       {"equivalent_stress", Quantity::equivalent_stress},
-       {"principal_stress", Quantity::principal_stress}});
-}
-
 const std::vector<std::pair<std::string, StressReading>> stress_readings{
     {"recovered", StressReading::recovered}, {"raw", StressReading::raw}};
 
+const std::vector<std::pair<std::string, bool>> field_readings{{"raw", false}, {"both", true}};
+const std::string name_about = "Letters, digits, _ and -, at most 64: it names columns and files.";
+
 /// How stress and strain are read there; of a displacement it would say nothing.
-StressReading read_reading(Fields& fields, std::optional<Quantity> quantity, const Reading& reading) {
+StressReading read_reading(Fields& fields, std::optional<const Quantity*> quantity, const Reading& reading) {
   const auto own = fields.choice<StressReading>("reading", Need::optional, stress_readings);
-  if (quantity && !on_material(*quantity) && fields.has("reading"))
+  if (quantity && !(*quantity)->on_material && fields.has("reading"))
     fields.fault(
         "reading",
         "\"reading\" says how stress and strain are read, and this reads neither; expected no such key");
@@ -90,6 +81,41 @@ bool usable_name(const std::string& name) {
   return !name.empty() && name.size() <= 64 && std::all_of(name.begin(), name.end(), allowed);
 }
 
+KeyTable output_keys() {
+  return {"[output]",
+          "How stress and strain are read (model/results/README.md).",
+          {{"reading", key_holds::words(stress_readings),
+            "Of probes and sections that do not say: \"recovered\" (unless given) by one rule for every "
+            "method, \"raw\" as each method interpolates for itself."},
+           {"fields", key_holds::words(field_readings),
+            "\"both\" writes fields of stress and strain by the one rule too. \"raw\" unless given."}}};
+}
+
+KeyTable probe_keys() {
+  return {"[[probes]]",
+          "Something read at a point in every sample: columns NAME_x, NAME_xx, .. of the history.",
+          {{"name", key_holds::text, name_about, true},
+           body_key(),
+           {"quantity", key_holds::words(quantity_words()), "What is read.", true},
+           {"point", key_holds::vector(dimension::length), "Where, in the undeformed body.", true},
+           {"reading", key_holds::words(stress_readings), "Of stress and strain, as in [output]."}},
+          "quantity",
+          quantity_entries()};
+}
+
+KeyTable section_keys() {
+  const std::string end = "An end of the line, in the undeformed body.";
+  return {"[[sections]]",
+          "The same along a straight line inside a body, at the last sample: a file section_NAME.csv.",
+          {{"name", key_holds::text, name_about, true},
+           body_key(),
+           {"quantity", key_holds::words(quantity_words()), "What is read, as in [[probes]].", true},
+           {"from", key_holds::vector(dimension::length), end, true},
+           {"to", key_holds::vector(dimension::length), end, true},
+           {"points", key_holds::count, "Equally spaced points, both ends included. 41 unless given."},
+           {"reading", key_holds::words(stress_readings), "Of stress and strain, as in [output]."}}};
+}
+
 void read_output(Fields& root, Reading& reading) {
   auto output = root.table(
       "output", Need::optional,
@@ -98,8 +124,7 @@ void read_output(Fields& root, Reading& reading) {
   reading.stress =
       output->choice<StressReading>("reading", Need::optional, stress_readings).value_or(reading.stress);
   reading.scene.recovered_fields =
-      output->choice<bool>("fields", Need::optional, {{"raw", false}, {"both", true}})
-          .value_or(reading.scene.recovered_fields);
+      output->choice("fields", Need::optional, field_readings).value_or(reading.scene.recovered_fields);
   output->done();
 }
 
@@ -108,14 +133,14 @@ void read_probes(Fields& root, Reading& reading) {
     Probe probe;
     probe.name = read_name(fields, reading.scene);
     const auto body = read_body_of(fields, reading);
-    const auto quantity = read_observed(fields);
+    const auto quantity = fields.choice("quantity", Need::required, quantity_words());
     probe.reading = read_reading(fields, quantity, reading);
     const auto point = fields.vector("point", Need::required, dimension::length, reading.dim);
     fields.done();
     if (body) require_deformable(fields, "probe", *body, reading);
     if (body && point) require_inside(fields, "point", *point, *body, reading);
     probe.body = body.value_or(0);
-    probe.quantity = quantity.value_or(probe.quantity);
+    probe.quantity = quantity.value_or(quantities().front());
     probe.point = point.value_or(Point{});
     reading.scene.probes.push_back(probe);
   }
@@ -126,14 +151,14 @@ void read_sections(Fields& root, Reading& reading) {
     Section section;
     section.name = read_name(fields, reading.scene);
     const auto body = read_body_of(fields, reading);
-    const auto quantity = read_observed(fields);
+    const auto quantity = fields.choice("quantity", Need::required, quantity_words());
     section.reading = read_reading(fields, quantity, reading);
     const auto from = fields.vector("from", Need::required, dimension::length, reading.dim);
     const auto to = fields.vector("to", Need::required, dimension::length, reading.dim);
     section.count = fields.count("points", Need::optional, 2, 1'000'000).value_or(section.count);
     fields.done();
     section.body = body.value_or(0);
-    section.quantity = quantity.value_or(section.quantity);
+    section.quantity = quantity.value_or(quantities().front());
     section.from = from.value_or(Point{});
     section.to = to.value_or(Point{});
     if (body) require_deformable(fields, "section", *body, reading);

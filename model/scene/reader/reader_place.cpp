@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <sstream>
 
+#include "model/scene/reader/scene_page.hpp"
 #include "model/scene/reader/scene_reader.hpp"
 
 namespace femsph::scene_reader {
@@ -106,13 +107,32 @@ std::optional<std::vector<std::string>> read_sides(const Fields& fields, const s
 
 }  // namespace
 
+Key body_key() {
+  return {"body", "a text: the name of a body", "Which body.", false, "where the scene has several bodies"};
+}
+
+std::vector<Key> place_keys() {
+  return {
+      body_key(),
+      {"at", "a text: sides of the body's shape, or \"all\"",
+       "\"x-\" is a side, \"x+ y+\" is where two sides meet, \"all\" the whole body; a physical group of a "
+       "mesh goes by its name or number.",
+       false, "unless \"point\" is given or the body is rigid"},
+      {"point", key_holds::vector(dimension::length),
+       "In place of \"at\": the node or particle nearest to this point of the undeformed body."},
+      {"within", key_holds::corners(dimension::length),
+       "Of \"at\" only the points in the box between these corners, the lower one first."}};
+}
+
 std::optional<Place> read_place(Fields& fields, const Reading& reading) {
   const std::string expected = "at = \"x-\" (sides, or \"all\") or point = [..] (the nearest point)";
   const auto body = read_body_of(fields, reading);
   const bool both = fields.has("at") && fields.has("point");
   const bool by_point = fields.has("point");
   const bool rigid = body && reading.scene.bodies[*body].rigid;
-  const auto at = fields.text("at", by_point || rigid ? Need::optional : Need::required, expected);
+  // A body without a material is rigid, or a fault hides what it is.
+  const bool needs_at = !by_point && body && !reading.scene.bodies[*body].material.empty();
+  const auto at = fields.text("at", needs_at ? Need::required : Need::optional, expected);
   const auto point = fields.vector("point", Need::optional, dimension::length, reading.dim);
   const auto within = fields.corners("within", Need::optional, dimension::length, reading.dim);
   if (both)

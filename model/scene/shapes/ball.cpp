@@ -194,10 +194,11 @@ ShapePointer read_own_ball(Fields& body, int dim, const std::filesystem::path&) 
 ShapeEntry ball_entry() {
   return {{"ball",
            "in space, with cells for both solvers, whole or cut",
-           {{"centre", "a list of lengths", "", true},
-            {"radius", "a length", "", true},
-            {"axis", "\"x\", \"y\", \"z\"", "through its poles; z unless given"},
-            {"part", "\"whole\", \"half\", \"quarter\"",
+           {{"centre", key_holds::vector(dimension::length), "its centre", true},
+            {"radius", "a length", "its radius", true},
+            {"axis", key_holds::words(std::vector<std::string>{"x", "y", "z"}),
+             "through its poles; z unless given"},
+            {"part", key_holds::words(std::vector<std::string>{"whole", "half", "quarter"}),
              "half: where the second axis across is positive; quarter: where both are"},
             {"finer", "a number", "how many times finer the cells are at the lower pole, from 1 to 20"}}},
           read_own_ball};

@@ -70,8 +70,8 @@ ShapePointer read_box(Fields& body, int dim, const std::filesystem::path&) {
 ShapeEntry box_entry() {
   return {{"box",
            "an axis-parallel rectangle or cuboid",
-           {{"size", "a list of lengths", "along the axes", true},
-            {"origin", "a list of lengths", "the corner x-, y- (, z-); at 0 unless given"}}},
+           {{"size", key_holds::vector(dimension::length), "along the axes", true},
+            {"origin", key_holds::vector(dimension::length), "the corner x-, y- (, z-); at 0 unless given"}}},
           read_box};
 }
 

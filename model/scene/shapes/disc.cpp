@@ -73,8 +73,8 @@ ShapePointer read_ball(Fields& body, int dim, const std::filesystem::path&) {
   return centre && radius && dim ? std::make_shared<Ball>(dim, *centre, *radius) : nullptr;
 }
 
-const std::vector<Key> disc_keys = {
-    {"centre", "a list of lengths", "", true}, {"radius", "a length", "", true}};
+const std::vector<Key> disc_keys = {{"centre", key_holds::vector(dimension::length), "its centre", true},
+                                    {"radius", "a length", "its radius", true}};
 
 }  // namespace
 

@@ -186,7 +186,7 @@ ShapeEntry mesh_entry() {
   return {{"mesh",
            "quadrilaterals or hexahedra made by Gmsh, for both solvers",
            {{"file", "a text", "path of a .msh file, relative to the scene's", true},
-            {"unit", "a unit of length", "of the file's lengths, such as \"mm\"", true},
+            {"unit", "a text: a unit of length, such as \"mm\"", "of the file's coordinates", true},
             {"pieces", "a whole number", "how many the cells form, joined by their sides; 1 unless given"},
             {"open_seams", "true or false",
              "sides that lie on each other without sharing vertices are meant: a crack"}}},

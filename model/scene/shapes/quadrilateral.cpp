@@ -127,10 +127,10 @@ ShapePointer read_quadrilateral(Fields& body, int dim, const std::filesystem::pa
 ShapeEntry quadrilateral_entry() {
   return {{"quadrilateral",
            "convex, in a plane, by its corners, counterclockwise from the lower left",
-           {{"corner1", "a list of lengths", "lower left", true},
-            {"corner2", "a list of lengths", "lower right", true},
-            {"corner3", "a list of lengths", "upper right", true},
-            {"corner4", "a list of lengths", "upper left", true}}},
+           {{"corner1", key_holds::vector(dimension::length), "lower left", true},
+            {"corner2", key_holds::vector(dimension::length), "lower right", true},
+            {"corner3", key_holds::vector(dimension::length), "upper right", true},
+            {"corner4", key_holds::vector(dimension::length), "upper left", true}}},
           read_quadrilateral};
 }
 

@@ -241,14 +241,15 @@ ShapePointer read_round(Fields& body, int dim, const std::filesystem::path&) {
 }
 
 std::vector<Key> round_keys(int dim, bool hollow) {
-  std::vector<Key> keys = {{"centre", "a list of lengths",
+  std::vector<Key> keys = {{"centre", key_holds::vector(dimension::length),
                             dim == 2 ? "of the section" : "of the section where the axis begins", true}};
-  keys.push_back({hollow ? "outer" : "radius", "a length", hollow ? "outer radius" : "", true});
+  keys.push_back({hollow ? "outer" : "radius", "a length", hollow ? "outer radius" : "its radius", true});
   if (hollow) keys.push_back({"inner", "a length", "inner radius", true});
-  keys.push_back({"part", "\"whole\", \"half\", \"quarter\"",
+  keys.push_back({"part", key_holds::words(std::vector<std::string>{"whole", "half", "quarter"}),
                   "half: where the section's second axis is positive; quarter: where both are"});
   if (dim == 3) {
-    keys.push_back({"axis", "\"x\", \"y\", \"z\"", "along which it runs", true});
+    keys.push_back(
+        {"axis", key_holds::words(std::vector<std::string>{"x", "y", "z"}), "along which it runs", true});
     keys.push_back({"length", "a length", "along the axis", true});
   }
   return keys;

@@ -1,4 +1,4 @@
-#include "compare/reference/beam.hpp"
+#include "compare/reference/values/beam.hpp"
 
 #include <fmt/format.h>
 

@@ -1,0 +1,23 @@
+#pragma once
+// Everything that a user can name, kind by kind, for `femsph list` and for the tables in READMEs.
+
+#include <string>
+#include <vector>
+
+#include "model/input/keys.hpp"
+
+namespace femsph::compare {
+
+struct Catalogue {
+  std::string kind;   ///< "theory-values": its marker in READMEs, <!-- femsph:theory-values -->
+  std::string title;  ///< "theory values (theory = ..)"
+  std::vector<Entry> entries;
+};
+
+std::vector<Catalogue> catalogues();
+/// A Markdown table of words and what they say of themselves.
+std::string to_markdown(const Catalogue& catalogue);
+/// A README with the tables of all catalogues that it has markers for.
+std::string with_catalogues(const std::string& readme);
+
+}  // namespace femsph::compare

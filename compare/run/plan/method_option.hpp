@@ -1,0 +1,65 @@
+#pragma once
+// What can be changed of a method: one list, from which follow a study's `options = {..}`, the options of the
+// command line, why one does nothing with a method, how tables tell a changed method, and `femsph list`.
+
+#include <optional>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "compare/run/plan/method.hpp"
+#include "model/input/toml_fields.hpp"
+
+namespace femsph::compare {
+
+/// A range of an option's numbers; `open`: without its lower end.
+struct OptionRange {
+  double least, most;
+  bool open = false;
+  bool holds(double value) const { return (open ? value > least : value >= least) && value <= most; }
+  std::string describe() const;  ///< "a number above 0, up to 10"
+};
+
+/// A number, true or false, or one of an option's words.
+using OptionValue = std::variant<double, bool, std::string>;
+
+struct MethodOption {
+  std::string word;                  ///< "kernel_volume" in studies; the command line takes "--kernel-volume"
+  std::string about;                 ///< one line
+  std::optional<OptionRange> range;  ///< of a number
+  std::vector<std::string> words;    ///< to choose from; without range and words it is true or false
+  bool of_fem, of_sph;               ///< the methods that a study may give it to
+  bool on_command_line;              ///< as --word; viscosity and projection have forms of their own there
+  /// Why it does nothing with a method of these; empty where it does something.
+  std::string (*idle)(const Method&);
+  void (*set)(Method&, const OptionValue&);
+
+  std::string holds() const;  ///< as Key::holds says it
+};
+
+/// All, in the order in which tables show them.
+const std::vector<MethodOption>& method_options();
+/// Throws std::logic_error if there is none of this word.
+const MethodOption& method_option(const std::string& word);
+
+/// Why an option does nothing with this method: "it is an option of SPH"; empty where it does something.
+std::string why_idle(const Method& method, const MethodOption& option);
+
+/// Changes to a method's options.
+struct Overrides {
+  std::vector<std::pair<const MethodOption*, OptionValue>> values;  ///< in the order of method_options()
+
+  bool has(const std::string& word) const;
+  void set(const std::string& word, OptionValue value);
+  void apply(Method& method) const;
+  /// " smoothing=1.2 alpha=5", to tell a changed method from the plain one in tables; empty if nothing is
+  /// changed.
+  std::string describe() const;
+};
+
+/// The keys of options = {..} in [[runs]].
+KeyTable override_keys();
+/// Reads the options that every one of `methods` has; faults for the others, with "did you mean".
+Overrides read_overrides(Fields& options, const std::vector<Method>& methods);
+
+}  // namespace femsph::compare

@@ -1,0 +1,118 @@
+// One fault of a study, one message: what refers to a run, scene or quantity at fault says nothing of its
+// own.
+
+#include <gmock/gmock.h>
+
+#include "compare/study/reader/study.hpp"
+#include "compare_support.hpp"
+
+namespace femsph::compare {
+namespace {
+
+using namespace testing;  // of compare_support.hpp
+using ::testing::AllOf, ::testing::HasSubstr, ::testing::Not, ::testing::StartsWith;
+
+/// Everything in it refers to the runs, to the scene or to the quantity.
+const std::string good = R"(title = "A study"
+[[limits]]
+scene = "scene.toml"
+divisions = "40x4"
+[[runs]]
+cases = ["a", "b"]
+methods = ["fem-full"]
+divisions = ["20x2", "40x4"]
+quick = ["a"]
+[[quantities]]
+name = "tip"
+probe = "tip"
+component = "y"
+unit = "mm"
+scene = "scene.toml"
+methods = ["fem-full"]
+theory = "cantilever_tip"
+[[series]]
+file = "tip.csv"
+kind = "error"
+quantity = "tip"
+cases = ["a"]
+methods = ["fem-full"]
+[[paper]]
+quantity = "tip"
+cases = ["a"]
+error_percent = 1
+source = "fig 1"
+[[price]]
+name = "tip"
+quantity = "tip"
+base = "fem-full"
+[[claims]]
+id = "c"
+source = "fig 1"
+text = "it bends"
+kind = "below"
+rows = {cases = ["a"], method = "fem-full", quantity = "tip"}
+bound = 10
+[[bounds]]
+cases = ["a"]
+methods = ["fem-full"]
+quantity = "tip"
+error_percent = 50
+[[expectations]]
+cases = ["b"]
+methods = ["fem-full"]
+messages = ["is off"]
+reason = "a test"
+)";
+
+class StudyFollowUp : public ::testing::Test {
+ protected:
+  Folder folder{"follow_up"};
+  std::string file = folder.write("beam/study.toml", good);
+  void SetUp() override { folder.write("beam/scene.toml", cantilever_toml); }
+
+  /// All that is said of the study with `old` replaced, without places.
+  std::string said(const std::string& old, const std::string& instead) {
+    std::string text = good;
+    const auto at = text.find(old);
+    EXPECT_NE(at, std::string::npos) << old;
+    text.replace(at, old.size(), instead);
+    try {
+      parse_study(text, file);
+    } catch (const InputError& e) {
+      std::string all;
+      for (const Fault& fault : e.faults()) all += (all.empty() ? "" : " | ") + fault.text;
+      return all;
+    }
+    return "";
+  }
+};
+
+TEST_F(StudyFollowUp, TheStudyItselfIsGood) { EXPECT_EQ(said("title", "title"), ""); }
+
+TEST_F(StudyFollowUp, OfRuns) {
+  EXPECT_THAT(said("methods = [\"fem-full\"]", "methods = [\"fem-ful\"]"),
+              AllOf(HasSubstr("no method \"fem-ful\""), Not(HasSubstr(" | "))));
+  EXPECT_EQ(said("divisions = [\"20x2\", \"40x4\"]", "divisions = [\"20x2\", \"40*4\"]"),
+            "\"40*4\" in \"divisions\"; expected 2 whole numbers with \"x\" between");
+  EXPECT_EQ(said("cases = [\"a\", \"b\"]", "cases = \"a\""),
+            "\"cases\" is a text; expected a list of names, one for each spacing or division");
+  EXPECT_THAT(said("quick = [\"a\"]", "quick = [\"a\"]\noptions = {hourglas = 1}"),
+              AllOf(HasSubstr("unknown key \"hourglas\""), Not(HasSubstr(" | "))));
+}
+
+TEST_F(StudyFollowUp, OfAScene) {
+  folder.write("beam/scene.toml", "title = 1\n");
+  EXPECT_THAT(said("title", "title"),
+              AllOf(StartsWith("the scene \"scene.toml\" cannot be used"), Not(HasSubstr(" | "))));
+}
+
+TEST_F(StudyFollowUp, OfAQuantity) {
+  EXPECT_THAT(said("name = \"tip\"\nprobe", "probe"),
+              AllOf(StartsWith("missing \"name\" in [[quantities]]"), Not(HasSubstr(" | "))));
+  EXPECT_THAT(said("probe = \"tip\"", "column = \"tip_yy\""),
+              AllOf(StartsWith("no column of a history is called \"tip_yy\""), HasSubstr("did you mean"),
+                    Not(HasSubstr(" | "))));
+}
+
+}  // namespace
+}  // namespace femsph::compare
