@@ -46,7 +46,7 @@ Measured measured(const CellMesh& mesh) {
   return m;
 }
 
-TEST(OwnBall, VolumeComesNearWithTheSquareOfTheSize) {
+TEST(OwnBallSlow, VolumeComesNearWithTheSquareOfTheSize) {
   for (const Part part : {Part::whole, Part::half, Part::quarter})
     for (const int axis : {0, 1, 2})
       for (const double finer : {1.0, 3.0, 8.0}) {

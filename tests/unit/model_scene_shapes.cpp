@@ -177,7 +177,7 @@ TEST(Gmsh, MeshWithoutGroups) {
 
 // Gmsh itself does not survive all of these: each damaged file is read, or refused with one sentence that
 // names it.
-TEST(Gmsh, DamagedFilesAreRefusedWithOneSentence) {
+TEST(GmshSlow, DamagedFilesAreRefusedWithOneSentence) {
   const std::string file = testing::TempDir() + "femsph_damaged.msh";
   const auto content = [](const std::string& name) {
     std::ifstream in(name, std::ios::binary);

@@ -102,7 +102,7 @@ void expect_weight(const Case& c, double spacing, bool fitted) {
   }
 }
 
-TEST(Filling, ParticlesWeighWhatTheBodyWeighsAndBalanceWhereItDoes) {
+TEST(FillingSlow, ParticlesWeighWhatTheBodyWeighsAndBalanceWhereItDoes) {
   for (const Case& c : plane_cases())
     for (const double spacing : {0.2, 0.13, 0.07})
       for (const bool fitted : {true, false}) expect_weight(c, spacing, fitted);
@@ -159,7 +159,7 @@ TEST(Filling, ABoxIsFilledToTheLastBit) {
 
 // The centres that shapes tell of themselves are those of their own cells, which leave out the segments
 // between chords and arcs: less than 1 - sin x / x of the area, with x half the angle of a sector.
-TEST(Filling, CentroidsAreThoseOfTheCells) {
+TEST(FillingSlow, CentroidsAreThoseOfTheCells) {
   using Part = Round::Part;
   for (const Part part : {Part::whole, Part::half, Part::quarter}) {
     const Round ring(2, {{0.3, 0.2, 0}, 0.5, 1, 0, 2, part}), tube(3, {{0.3, 0.2, 0.1}, 0.4, 1, 2, 0, part}),
