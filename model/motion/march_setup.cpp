@@ -113,6 +113,7 @@ void March::find_critical_step() {
 void March::start_velocities() {
   const auto [keep, push] = motion_.leap(motion_.dt);
   for (Effect* effect : effects_.all()) effect->start(motion_);
+  for (Effect* effect : effects_.all()) effect->constrain_start(motion_);
   for (MovingBody& body : motion_.bodies)
     for (std::size_t i = 0; i < body.v.size(); ++i) {
       const double force = body.viscous.empty() ? body.f[i] : body.f[i] + body.viscous[i];

@@ -113,6 +113,9 @@ class Sprung : public test::Grid {
   Sprung() : Grid({}, 1, 1, 3, 3) {}
   void internal_force(const double* u, const double*, double, double* f, double*) override { pull(u, f, -1); }
   void stiffness(const double* x, double* y) const override { pull(x, y, 1); }
+  std::vector<Weight> points_of(const Place&) const override {
+    return {{0, 0.25}, {1, 0.25}, {2, 0.25}, {3, 0.25}};
+  }
 
  private:
   void pull(const double* u, double* f, double sign) const {
@@ -163,13 +166,34 @@ TEST(Effects, InternalForcesAreKeptApart) {
     for (std::size_t i = 0; i < body.discretization->layout().points; ++i)
       weight += body.f[2 * i + 1], internal += std::abs(body.internal[2 * i]);
     EXPECT_NEAR(weight, -9.81 * test::Grid::rho, 1e-12);
-    if (m.step() > 0) EXPECT_GT(internal, 0);
+    EXPECT_EQ(internal > 0, m.step() > 0);
   };
   int between = 0;
   events.between = [&](const March& m) { between += m.bodies()[0].internal.empty(); };
   march.run(events);
   EXPECT_GT(samples, 3);
   EXPECT_EQ(between, march.step()) << "kept beyond the sample";
+}
+
+// A mean that is held starts at rest, whatever [[initial]] gives its points: constraints come after all that
+// effects add.
+TEST(Effects, AHeldMeanStartsAtRest) {
+  Scene scene = block();
+  scene.initial_velocities.push_back({0, {0, 3, 0}});
+  Support mean;
+  mean.fixed[1] = mean.mean = true;
+  scene.supports.push_back(mean);
+  std::vector<std::unique_ptr<Discretization>> bodies;
+  bodies.push_back(std::make_unique<Sprung>());
+  March march(scene, std::move(bodies), {});
+  MarchEvents events;
+  events.sample = [&](const March& m) {
+    double held = 0;
+    for (std::size_t i = 0; i < 4; ++i) held += 0.25 * m.velocity(m.bodies()[0], 2 * i + 1);
+    EXPECT_NEAR(held, 0, 1e-14);
+    EXPECT_GT(m.velocity(m.bodies()[0], 2 * 15 + 1), 2.9) << "a free point";
+  };
+  march.run(events);
 }
 
 }  // namespace

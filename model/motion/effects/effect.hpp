@@ -23,8 +23,10 @@ class Effect {
   virtual ~Effect() = default;
 
   // Once, at t = 0, when the forces are known: u(0) is set, v holds v(0) (and 0 before the first effect).
-  /// Adds to or corrects the velocities v(0) of bodies that deform, and those of rigid ones.
+  /// Adds to the velocities v(0) of bodies that deform, and to those of rigid ones.
   virtual void start(Motion&) {}
+  /// After all these: corrects them so that a constraint holds.
+  virtual void constrain_start(Motion&) {}
   /// The bodies are strained at t = 0: what that has stored belongs to the energy at the start.
   virtual bool strains_the_start() const { return false; }
 

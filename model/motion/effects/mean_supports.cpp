@@ -47,7 +47,7 @@ void MeanSupports::place(const Motion& motion, MovingBody& body, const Support& 
 }
 
 /// A held mean starts at rest.
-void MeanSupports::start(Motion& motion) {
+void MeanSupports::constrain_start(Motion& motion) {
   for (const MeanHold& hold : holds_) {
     MovingBody& body = motion.bodies[hold.body];
     double sum = 0;

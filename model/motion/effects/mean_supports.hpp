@@ -26,7 +26,7 @@ class MeanSupports : public Effect {
   };
   const std::vector<MeanHold>& holds() const { return holds_; }
 
-  void start(Motion& motion) override;
+  void constrain_start(Motion& motion) override;
   void constrain(Motion& motion) override;
   void each_reaction(const Motion& motion, const MovingBody& body,
                      const std::function<void(std::size_t slot, double)>& take) const override;

@@ -12,7 +12,7 @@ class TiedBodies : public Effect {
   const Ties& ties() const { return ties_; }
 
   /// Bodies that start at different speeds lose what matching them at the bond takes.
-  void start(Motion& motion) override { ties_.match_velocities(motion.bodies); }
+  void constrain_start(Motion& motion) override { ties_.match_velocities(motion.bodies); }
   void constrain(Motion& motion) override;
   void add_energies(Ledger& l) const override { l.contact += ties_.taken(); }
   void state(Archive& archive) override;
