@@ -7,6 +7,7 @@
 #include <cmath>
 #include <random>
 
+#include "model/motion/effects/contact_pair.hpp"
 #include "model/motion/march.hpp"
 #include "model/numerics/vectors.hpp"
 #include "model/scene/shapes/box.hpp"
@@ -221,10 +222,10 @@ TEST(RigidBody, FallsAndFliesExactly) {
   scene.bodies.push_back(body);
   RigidBody disc(scene, 0);
   disc.velocity = {2, 0, 0};
-  disc.load(scene, 0);
+  disc.begin_forces();
   disc.start_from(1, 0.01);
   for (int step = 0; step < 100; ++step) {
-    disc.load(scene, 0);
+    disc.begin_forces();
     disc.kick(1, 0.01);
     disc.drift(0.01);
   }

@@ -9,7 +9,6 @@
 #include "model/motion/effects/effect.hpp"
 #include "model/motion/march.hpp"
 #include "model/scene/reader/reader.hpp"
-#include "model/scene/reader/scene_keys.hpp"
 #include "model_grid.hpp"
 
 namespace femsph {
@@ -74,17 +73,6 @@ TEST(Effects, WhatPushesFromOutside) {
   EXPECT_THAT(outside,
               testing::UnorderedElementsAre("supports", "moved supports", "symmetry", "loads", "gravity",
                                             "damping", "settling by damping", "settling by kinetic damping"));
-}
-
-TEST(Effects, TablesOfKeysSayEachKeyOnce) {
-  for (const KeyTable* table :
-       {&supports_keys(), &loads_keys(), &initial_keys(), &initial_displacements_keys(), &contacts_keys(),
-        &gravity_keys(), &damping_keys(), &settling_keys()}) {
-    std::set<std::string> names;
-    for (const Key& key : table->keys)
-      EXPECT_TRUE(names.insert(key.name).second) << table->header << key.name;
-    EXPECT_FALSE(names.empty()) << table->header;
-  }
 }
 
 /// Overrides two hooks of every step.
