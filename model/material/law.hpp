@@ -26,8 +26,8 @@
 //   thickness_stress(strain, stress, history), thickness_strain(strain, stress, history)
 //                          what happens across the plane in 2D;
 // if path_independent
-//   stress(strain)         total strain -> stress; update() too if it is linear, which classic SPH in large motion
-//                          then makes a rate of,
+//   stress(strain)         total strain -> stress; update() too if it is linear: classic SPH in large
+//                          motion makes a rate of that,
 // if not
 //   update(increment, stress, history)       carries stress and history from one step to the next,
 //   plastic_strain(history), plastic_work(history)   equivalent plastic strain; work not stored, J/m^3,

@@ -100,7 +100,7 @@ TEST(Catalogue, MaterialsAnswerForTheirLaws) {
 
 TEST(Catalogue, AMisspeltWordIsAnsweredFromTheList) {
   EXPECT_EQ(message_of(scene_text("\"neo-hookian\"", disc)),
-            "scene.toml:5:7: unknown law \"neo-hookian\"; expected \"elastic\", \"neo-hookean\" or "
+            "scene.toml:5:7: \"law\" is \"neo-hookian\"; expected \"elastic\", \"neo-hookean\" or "
             "\"plastic\"; did "
             "you mean \"neo-hookean\"?");
   EXPECT_THAT(message_of(scene_text("\"elastic\"", "shape = \"quadrilatral\"\n")),

@@ -20,12 +20,10 @@ struct ElasticConstants {
   double young, poisson, density;  ///< Pa, 1, kg/m^3
 };
 
-/// What a law may need to know while it reads its keys. Empty where that part of the scene is itself at
-/// fault.
+/// What a law may need to know while it reads its keys.
 struct LawInput {
   ElasticConstants constants;
-  std::optional<Plane> plane;
-  std::optional<bool> large_motion;
+  std::optional<Plane> plane;  ///< empty where the scene's plane is itself at fault
 };
 
 /// What a reinforcing bar takes of its material's law.

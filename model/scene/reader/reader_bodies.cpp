@@ -12,13 +12,6 @@
 namespace femsph::scene_reader {
 namespace {
 
-LawInput law_input(const Material& material, const Reading& reading) {
-  LawInput in{{material.young, material.poisson, material.density}, {}, {}};
-  if (reading.dim) in.plane = reading.scene.plane;
-  if (reading.motion_known) in.large_motion = reading.scene.large_motion;
-  return in;
-}
-
 Material read_material(const std::string& name, Fields& fields, const Reading& reading) {
   std::vector<std::pair<std::string, const LawEntry*>> words;
   for (const LawEntry& law : laws()) words.emplace_back(law.entry.word, &law);
@@ -30,8 +23,10 @@ Material read_material(const std::string& name, Fields& fields, const Reading& r
     fields.fault("poisson", fmt::format("\"poisson\" is {}; expected {}", *poisson, range));
   const auto density = fields.quantity("density", Need::required, dimension::density, Sign::positive);
   Material material{name, young.value_or(1), poisson.value_or(0), density.value_or(1)};
+  LawInput in{{material.young, material.poisson, material.density}, {}};
+  if (reading.dim) in.plane = reading.scene.plane;
   if (!law) fields.accept_rest();
-  if (law) material.parameters = (*law)->read(fields, law_input(material, reading));
+  if (law) material.parameters = (*law)->read(fields, in);
   if (law && (*law)->large_motion_only && reading.motion_known && !reading.scene.large_motion)
     fields.fault("law", fmt::format("\"law\" is {} with small motion, where it is the elastic law; expected "
                                     "motion = \"large\" in [model], or law = \"elastic\"",
