@@ -231,7 +231,8 @@ void March::count_work_of_loads() {
 // at the ends.
 March::Kinetic March::kinetic() const {
   Kinetic k;
-  const auto [keep, push] = leap(dt_);
+  const auto [keep_now, push_now] = leap(dt_);
+  const double keep = keep_now, push = push_now;  // Clang 14 captures no structured binding
   for (const MovingBody& body : bodies_) {
     const bool viscous = !body.viscous.empty();
     const auto sum = [&](auto&& part) {
