@@ -1,10 +1,11 @@
-# A room is a folder with a static library of its own, which links the rooms below it and no others: what is included from above does not
-# link. (tests/arrows reads the includes of headers too.)
-#   femsph_room(NAME FOLDER [EXCEPT source..] [APART source..] [USES library..] BELOW room..)
-# NAME becomes the target femsph_NAME. EXCEPT: sources that belong to a program. APART: sources that are never joined with others in one
-# translation unit. USES: libraries that this room alone sees. The rooms of a top folder are the property FEMSPH_ROOMS_<top folder>.
+# A room is a folder with a static library of its own, which links the rooms below it and no others: what is
+# included from above does not link. (tests/arrows reads the includes of headers too.)
+#   femsph_room(NAME FOLDER [HURRIED] [EXCEPT source..] [APART source..] [USES library..] BELOW room..)
+# NAME becomes the target femsph_NAME. HURRIED: it computes no result, and -O1 will do. EXCEPT: sources that
+# belong to a program. APART: sources that are never joined with others in one translation unit. USES:
+# libraries that this room alone sees. The rooms of a top folder are the property FEMSPH_ROOMS_<top folder>.
 function(femsph_room name folder)
-  cmake_parse_arguments(room "" "" "EXCEPT;APART;USES;BELOW" ${ARGN})
+  cmake_parse_arguments(room "HURRIED" "" "EXCEPT;APART;USES;BELOW" ${ARGN})
   get_filename_component(root ${CMAKE_CURRENT_FUNCTION_LIST_DIR}/.. ABSOLUTE)
   file(GLOB sources CONFIGURE_DEPENDS ${root}/${folder}/*.cpp)
   foreach(source ${room_EXCEPT})
@@ -20,6 +21,9 @@ function(femsph_room name folder)
     add_library(femsph_${name} STATIC ${sources})
     target_link_libraries(femsph_${name} PUBLIC femsph_flags fmt::fmt ${room_BELOW} PRIVATE ${room_USES})
     set_target_properties(femsph_${name} PROPERTIES FEMSPH_USES "${room_USES}")
+    if(room_HURRIED)
+      target_compile_options(femsph_${name} PRIVATE $<$<CONFIG:Release>:-O1>)
+    endif()
   else() # headers alone
     add_library(femsph_${name} INTERFACE)
     target_link_libraries(femsph_${name} INTERFACE femsph_flags ${room_BELOW})
@@ -28,8 +32,8 @@ function(femsph_room name folder)
   set_property(GLOBAL APPEND PROPERTY FEMSPH_ROOMS_${top} femsph_${name})
 endfunction()
 
-# A module is a shared object that the program opens when it needs it (model/numerics/module.hpp): libfemsph_NAME.so, beside the
-# programs. It links no room: what it calls of rooms it finds in the program.
+# A module is a shared object that the program opens when it needs it (model/numerics/module.hpp):
+# libfemsph_NAME.so, beside the programs. It links no room: what it calls of rooms it finds in the program.
 #   femsph_module(NAME FOLDER [USES library..])
 function(femsph_module name folder)
   cmake_parse_arguments(module "" "" "USES" ${ARGN})

@@ -41,7 +41,8 @@ double March::velocity(const MovingBody& body, std::size_t slot) const {
     const auto* driven = driven_at(body, slot);
     return driven ? 0.5 * (body.v[slot] + driven->after) : 0.0;
   }
-  const auto [keep, push] = motion_.leap(motion_.dt);
+  const auto [keep_now, push_now] = motion_.leap(motion_.dt);
+  const double keep = keep_now, push = push_now;  // Clang 14 captures no structured binding
   const double force = body.viscous.empty() ? body.f[slot] : body.f[slot] + body.viscous[slot];
   return 0.5 * ((1 + keep) * body.v[slot] + push * body.inverse_mass[slot] * force);
 }

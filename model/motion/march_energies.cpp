@@ -15,7 +15,8 @@ namespace femsph {
 // at the ends.
 March::Kinetic March::kinetic() const {
   Kinetic k;
-  const auto [keep, push] = motion_.leap(motion_.dt);
+  const auto [keep_now, push_now] = motion_.leap(motion_.dt);
+  const double keep = keep_now, push = push_now;  // Clang 14 captures no structured binding
   for (const MovingBody& body : motion_.bodies) {
     const bool viscous = !body.viscous.empty();
     const auto sum = [&](auto&& part) {
@@ -65,7 +66,8 @@ March::Kinetic March::kinetic() const {
 }
 
 double March::energy_of_half_a_kick() const {
-  const auto [keep, push] = motion_.leap(motion_.dt);
+  const auto [keep_now, push_now] = motion_.leap(motion_.dt);
+  const double keep = keep_now, push = push_now;  // Clang 14 captures no structured binding
   double all = 0;
   for (const MovingBody& body : motion_.bodies) {
     const bool viscous = !body.viscous.empty();

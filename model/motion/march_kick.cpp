@@ -85,7 +85,8 @@ void March::kick_and_drift() {
 }
 
 void March::move_rigid_bodies() {
-  const auto [keep, push] = motion_.leap(motion_.dt);
+  const auto [keep_now, push_now] = motion_.leap(motion_.dt);
+  const double keep = keep_now, push = push_now;  // Clang 14 captures no structured binding
   for (RigidBody& body : motion_.rigid) {
     const double before = body.product(keep, push, 1, 2);  // v-.v- + 2 v-.v+
     body.kick(keep, push);

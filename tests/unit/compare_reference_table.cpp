@@ -4,6 +4,7 @@
 
 #include <cmath>
 
+#include "compare/measure/errors.hpp"
 #include "compare/reference/reference_table.hpp"
 #include "compare_support.hpp"
 

@@ -2,6 +2,7 @@
 
 #include <gmock/gmock.h>
 
+#include "compare/program/commands.hpp"
 #include "compare/study/study_runner.hpp"
 #include "compare_support.hpp"
 

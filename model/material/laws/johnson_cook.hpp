@@ -66,8 +66,9 @@ FEMSPH_INLINE Flow<T> johnson_cook_return(const LinearElastic& elastic, const Pl
                                           T& guess, PointStress<T, dim>& s) {
   const double stiffness = 3 * elastic.mu;
   const T q = von_mises(s), mean = s.mean();
-  const auto yielding = (q > johnson_cook<T>(law, dt, p, T{}, work, q, T{}).value) &
-                        (contract(increment, increment) > 1e-24);
+  const auto beyond = q > johnson_cook<T>(law, dt, p, T{}, work, q, T{}).value;
+  const auto moving = contract(increment, increment) > 1e-24;
+  const auto yielding = beyond & moving;
   if (!any(yielding)) {
     guess = T{};
     return {T{}, T{}};
