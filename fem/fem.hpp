@@ -11,7 +11,7 @@
 
 #include "fem/options.hpp"
 #include "fem/static_limit.hpp"
-#include "model/motion/discretization.hpp"
+#include "model/motion/bodies/discretization.hpp"
 
 namespace femsph::fem {
 

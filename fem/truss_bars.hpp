@@ -5,8 +5,8 @@
 
 #include <vector>
 
-#include "model/motion/bars.hpp"
-#include "model/motion/discretization.hpp"
+#include "model/motion/bodies/bars.hpp"
+#include "model/motion/bodies/discretization.hpp"
 
 namespace femsph::fem {
 

@@ -4,7 +4,7 @@
 #include <memory>
 #include <string>
 
-#include "model/motion/discretization.hpp"
+#include "model/motion/bodies/discretization.hpp"
 #include "sph/options.hpp"
 
 namespace femsph::sph {

@@ -5,9 +5,9 @@
 
 #include "compare/program/commands.hpp"
 #include "compare/run/capacity.hpp"
+#include "model/motion/bodies/mass_properties.hpp"
+#include "model/motion/bodies/price.hpp"
 #include "model/motion/effects/catalogue.hpp"
-#include "model/motion/mass_properties.hpp"
-#include "model/motion/price.hpp"
 #include "model/numerics/parallel.hpp"
 #include "model/scene/reader/reader.hpp"
 

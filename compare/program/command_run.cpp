@@ -11,7 +11,7 @@
 #include "model/input/faults.hpp"
 #include "model/input/toml_fields.hpp"
 #include "model/input/units.hpp"
-#include "model/motion/price.hpp"
+#include "model/motion/bodies/price.hpp"
 #include "model/numerics/parallel.hpp"
 #include "model/results/record.hpp"
 #include "model/scene/reader/reader.hpp"

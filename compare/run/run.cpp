@@ -7,9 +7,9 @@
 
 #include "compare/run/capacity.hpp"
 #include "compare/run/run_output.hpp"
+#include "model/motion/bodies/mass_properties.hpp"
 #include "model/motion/conservation.hpp"
 #include "model/motion/effects/catalogue.hpp"
-#include "model/motion/mass_properties.hpp"
 
 namespace femsph::compare {
 

@@ -7,7 +7,7 @@
 
 #include "fem/mesh/batches.hpp"
 #include "fem/options.hpp"
-#include "model/motion/discretization.hpp"
+#include "model/motion/bodies/discretization.hpp"
 #include "model/numerics/archive.hpp"
 
 namespace femsph::fem {

@@ -1,7 +1,12 @@
 #pragma once
 // What stands behind discretize_oracle() and static_limit() of fem.hpp.
 
-#include "fem/fem.hpp"
+#include <array>
+#include <memory>
+
+#include "fem/options.hpp"
+#include "fem/static_limit.hpp"
+#include "model/motion/bodies/discretization.hpp"
 
 namespace femsph::fem {
 

@@ -6,7 +6,7 @@
 
 #include "fem/options.hpp"
 #include "fem/static_limit.hpp"
-#include "model/motion/discretization.hpp"
+#include "model/motion/bodies/discretization.hpp"
 #include "model/numerics/module.hpp"
 
 namespace femsph::fem {

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "fem/mesh/mesh.hpp"
-#include "model/motion/discretization.hpp"
+#include "model/motion/bodies/discretization.hpp"
 
 namespace femsph::fem {
 

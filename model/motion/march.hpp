@@ -7,9 +7,9 @@
 #include <string>
 #include <vector>
 
+#include "model/motion/bodies/ledger.hpp"
+#include "model/motion/bodies/motion.hpp"
 #include "model/motion/effects/effect.hpp"
-#include "model/motion/ledger.hpp"
-#include "model/motion/motion.hpp"
 
 namespace femsph {
 

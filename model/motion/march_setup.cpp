@@ -6,9 +6,9 @@
 #include <cmath>
 #include <limits>
 
-#include "model/motion/critical_step.hpp"
+#include "model/motion/bodies/critical_step.hpp"
+#include "model/motion/bodies/mass_properties.hpp"
 #include "model/motion/march.hpp"
-#include "model/motion/mass_properties.hpp"
 #include "model/numerics/parallel.hpp"
 
 namespace femsph {

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <vector>
 
-#include "model/motion/discretization.hpp"
+#include "model/motion/bodies/discretization.hpp"
 
 namespace femsph {
 

@@ -5,7 +5,7 @@
 #include <optional>
 #include <span>
 
-#include "model/motion/discretization.hpp"
+#include "model/motion/bodies/discretization.hpp"
 
 namespace femsph {
 

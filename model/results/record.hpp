@@ -5,8 +5,8 @@
 #include <utility>
 #include <vector>
 
-#include "model/motion/ledger.hpp"
-#include "model/motion/price.hpp"
+#include "model/motion/bodies/ledger.hpp"
+#include "model/motion/bodies/price.hpp"
 
 namespace femsph {
 

@@ -21,7 +21,7 @@
 #include <array>
 #include <vector>
 
-#include "model/motion/discretization.hpp"
+#include "model/motion/bodies/discretization.hpp"
 #include "model/numerics/point_grid.hpp"
 
 namespace femsph {

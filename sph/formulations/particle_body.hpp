@@ -4,7 +4,7 @@
 
 #include <string>
 
-#include "model/motion/discretization.hpp"
+#include "model/motion/bodies/discretization.hpp"
 #include "model/numerics/array.hpp"
 #include "sph/formulations/smeared_bars.hpp"
 #include "sph/operators/kernel.hpp"

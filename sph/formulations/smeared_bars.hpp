@@ -9,8 +9,8 @@
 
 #include <vector>
 
-#include "model/motion/bars.hpp"
-#include "model/motion/discretization.hpp"
+#include "model/motion/bodies/bars.hpp"
+#include "model/motion/bodies/discretization.hpp"
 #include "sph/particles/particles.hpp"
 
 namespace femsph::sph {

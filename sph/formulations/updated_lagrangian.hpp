@@ -16,7 +16,6 @@
 #include "sph/formulations/stretch_point.hpp"
 #include "sph/operators/moving_neighbours.hpp"
 #include "sph/operators/particle_records.hpp"
-#include "sph/sph.hpp"
 
 namespace femsph::sph {
 

@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-#include "model/motion/discretization.hpp"
+#include "model/motion/bodies/discretization.hpp"
 #include "model/numerics/array.hpp"
 #include "model/numerics/parallel.hpp"
 #include "model/numerics/simd.hpp"

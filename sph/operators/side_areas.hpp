@@ -11,7 +11,7 @@
 
 #include <vector>
 
-#include "model/motion/discretization.hpp"
+#include "model/motion/bodies/discretization.hpp"
 #include "sph/operators/kernel.hpp"
 #include "sph/particles/particles.hpp"
 

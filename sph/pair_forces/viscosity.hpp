@@ -6,7 +6,7 @@
 
 #include <memory>
 
-#include "model/motion/discretization.hpp"
+#include "model/motion/bodies/discretization.hpp"
 #include "model/numerics/parallel.hpp"
 #include "sph/operators/stencils.hpp"
 

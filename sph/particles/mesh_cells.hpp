@@ -4,7 +4,7 @@
 #include <array>
 #include <vector>
 
-#include "model/motion/discretization.hpp"
+#include "model/motion/bodies/discretization.hpp"
 
 namespace femsph::sph {
 

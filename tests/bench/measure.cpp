@@ -5,8 +5,8 @@
 #include <limits>
 #include <numeric>
 
+#include "model/motion/bodies/price.hpp"
 #include "model/motion/march.hpp"
-#include "model/motion/price.hpp"
 #include "model/numerics/array.hpp"
 #include "model/numerics/parallel.hpp"
 

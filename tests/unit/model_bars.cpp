@@ -4,7 +4,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "model/motion/bars.hpp"
+#include "model/motion/bodies/bars.hpp"
 #include "model/motion/effects/catalogue.hpp"
 #include "model/scene/reader/reader.hpp"
 

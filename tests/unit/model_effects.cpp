@@ -9,6 +9,7 @@
 #include "model/motion/effects/effect.hpp"
 #include "model/motion/march.hpp"
 #include "model/scene/reader/reader.hpp"
+#include "model/scene/shapes/box.hpp"
 #include "model_grid.hpp"
 
 namespace femsph {

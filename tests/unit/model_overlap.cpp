@@ -6,10 +6,10 @@
 
 #include <cmath>
 
+#include "model/motion/bodies/overlap.hpp"
 #include "model/motion/effects/contact_pair.hpp"
 #include "model/motion/effects/ties.hpp"
 #include "model/motion/march.hpp"
-#include "model/motion/overlap.hpp"
 #include "model/numerics/vectors.hpp"
 #include "model/scene/shapes/box.hpp"
 #include "model/scene/shapes/disc.hpp"

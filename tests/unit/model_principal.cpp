@@ -6,7 +6,7 @@
 #include <cmath>
 #include <random>
 
-#include "model/motion/discretization.hpp"
+#include "model/motion/bodies/discretization.hpp"
 #include "model/numerics/principal.hpp"
 
 namespace femsph {

@@ -9,7 +9,7 @@
 #include <sstream>
 #include <string>
 
-#include "model/motion/discretization.hpp"
+#include "model/motion/bodies/discretization.hpp"
 
 namespace femsph::test {
 

@@ -8,7 +8,7 @@
 #include <numbers>
 #include <numeric>
 
-#include "model/motion/mass_properties.hpp"
+#include "model/motion/bodies/mass_properties.hpp"
 #include "model/numerics/vectors.hpp"
 #include "model/scene/shapes/ball.hpp"
 #include "model/scene/shapes/box.hpp"

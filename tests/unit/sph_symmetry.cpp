@@ -6,7 +6,7 @@
 
 #include <map>
 
-#include "model/motion/critical_step.hpp"
+#include "model/motion/bodies/critical_step.hpp"
 #include "model/scene/shapes/box.hpp"
 #include "sph_support.hpp"
 

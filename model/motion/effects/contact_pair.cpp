@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "model/motion/motion.hpp"
+#include "model/motion/bodies/motion.hpp"
 #include "model/numerics/parallel.hpp"
 #include "model/numerics/vectors.hpp"
 

@@ -15,7 +15,7 @@
 #include <string>
 #include <vector>
 
-#include "model/motion/surface.hpp"
+#include "model/motion/bodies/surface.hpp"
 
 namespace femsph {
 

@@ -11,9 +11,9 @@
 #include <utility>
 #include <vector>
 
+#include "model/motion/bodies/ledger.hpp"
+#include "model/motion/bodies/motion.hpp"
 #include "model/motion/effects/catalogue.hpp"
-#include "model/motion/ledger.hpp"
-#include "model/motion/motion.hpp"
 #include "model/numerics/archive.hpp"
 
 namespace femsph {

@@ -17,7 +17,7 @@
 #include <string>
 #include <vector>
 
-#include "model/motion/surface.hpp"
+#include "model/motion/bodies/surface.hpp"
 #include "model/numerics/archive.hpp"
 
 namespace femsph {

@@ -6,9 +6,9 @@
 #include <cmath>
 #include <map>
 
+#include "model/motion/bodies/motion.hpp"
+#include "model/motion/bodies/overlap.hpp"
 #include "model/motion/effects/ties.hpp"
-#include "model/motion/motion.hpp"
-#include "model/motion/overlap.hpp"
 #include "model/numerics/box_grid.hpp"
 #include "model/numerics/vectors.hpp"
 

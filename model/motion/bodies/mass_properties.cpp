@@ -1,4 +1,4 @@
-#include "model/motion/mass_properties.hpp"
+#include "model/motion/bodies/mass_properties.hpp"
 
 #include <fmt/format.h>
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "model/motion/discretization.hpp"
+#include "model/motion/bodies/discretization.hpp"
 #include "model/numerics/array.hpp"
 
 namespace femsph {

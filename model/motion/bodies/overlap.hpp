@@ -9,7 +9,7 @@
 #include <optional>
 #include <vector>
 
-#include "model/motion/surface.hpp"
+#include "model/motion/bodies/surface.hpp"
 #include "model/numerics/box_grid.hpp"
 
 namespace femsph {

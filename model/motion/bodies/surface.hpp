@@ -4,8 +4,8 @@
 
 #include <vector>
 
-#include "model/motion/discretization.hpp"
-#include "model/motion/rigid.hpp"
+#include "model/motion/bodies/discretization.hpp"
+#include "model/motion/bodies/rigid.hpp"
 #include "model/numerics/array.hpp"
 
 namespace femsph {

@@ -1,4 +1,4 @@
-#include "model/motion/price.hpp"
+#include "model/motion/bodies/price.hpp"
 
 #include <sys/resource.h>
 #include <time.h>

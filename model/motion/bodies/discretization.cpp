@@ -1,4 +1,4 @@
-#include "model/motion/discretization.hpp"
+#include "model/motion/bodies/discretization.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -8,9 +8,9 @@
 #include <utility>
 #include <vector>
 
-#include "model/motion/discretization.hpp"
-#include "model/motion/price.hpp"
-#include "model/motion/rigid.hpp"
+#include "model/motion/bodies/discretization.hpp"
+#include "model/motion/bodies/price.hpp"
+#include "model/motion/bodies/rigid.hpp"
 #include "model/numerics/array.hpp"
 
 namespace femsph {

@@ -1,4 +1,4 @@
-#include "model/motion/rigid.hpp"
+#include "model/motion/bodies/rigid.hpp"
 
 #include <algorithm>
 #include <cmath>

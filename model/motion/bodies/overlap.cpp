@@ -1,4 +1,4 @@
-#include "model/motion/overlap.hpp"
+#include "model/motion/bodies/overlap.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "model/motion/discretization.hpp"
+#include "model/motion/bodies/discretization.hpp"
 
 namespace femsph {
 

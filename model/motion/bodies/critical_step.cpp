@@ -1,4 +1,4 @@
-#include "model/motion/critical_step.hpp"
+#include "model/motion/bodies/critical_step.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -1,4 +1,4 @@
-#include "model/motion/motion.hpp"
+#include "model/motion/bodies/motion.hpp"
 
 #include <fmt/format.h>
 

@@ -1,9 +1,9 @@
-#include "model/motion/surface.hpp"
+#include "model/motion/bodies/surface.hpp"
 
 #include <algorithm>
 #include <cmath>
 
-#include "model/motion/motion.hpp"
+#include "model/motion/bodies/motion.hpp"
 #include "model/numerics/vectors.hpp"
 
 namespace femsph {

@@ -1,4 +1,4 @@
-#include "model/motion/bars.hpp"
+#include "model/motion/bodies/bars.hpp"
 
 #include <fmt/format.h>
 
