@@ -19,5 +19,6 @@ find_program(DOXYGEN doxygen)
 if(DOXYGEN)
   configure_file(docs/Doxyfile.in ${CMAKE_BINARY_DIR}/docs/Doxyfile @ONLY)
   add_custom_target(docs COMMAND ${DOXYGEN} ${CMAKE_BINARY_DIR}/docs/Doxyfile
-    WORKING_DIRECTORY ${CMAKE_SOURCE_DIR} VERBATIM COMMENT "Documenting the headers: ${CMAKE_BINARY_DIR}/docs/html")
+    WORKING_DIRECTORY ${CMAKE_SOURCE_DIR} VERBATIM
+    COMMENT "Documenting the headers: ${CMAKE_BINARY_DIR}/docs/html")
 endif()

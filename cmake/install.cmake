@@ -1,6 +1,7 @@
-# What `cmake --install build/release --prefix DIR` and the package of `cpack` hold. The program finds its studies
-# beside itself (../share/femsph/studies), so the whole may be moved.
-#   bin/femsph   lib/femsph/ (modules)   share/femsph/{studies,scenes}   share/man   share/bash-completion   share/doc
+# What `cmake --install build/release --prefix DIR` and the package of `cpack` hold. The program finds its
+# studies beside itself (../share/femsph/studies), so the whole may be moved.
+#   bin/femsph   lib/femsph/ (modules)   share/femsph/{studies,scenes}   share/man   share/bash-completion
+#                share/doc
 include(GNUInstallDirs)
 set(femsph_docs ${CMAKE_INSTALL_DATAROOTDIR}/doc/femsph)
 
@@ -15,7 +16,8 @@ install(DIRECTORY studies DESTINATION ${CMAKE_INSTALL_DATADIR}/femsph PATTERN ru
 install(DIRECTORY tests/scenes/ DESTINATION ${CMAKE_INSTALL_DATADIR}/femsph/scenes
   FILES_MATCHING PATTERN cantilever.toml PATTERN bad EXCLUDE)
 install(FILES README.md CHANGELOG.md CITATION.cff DESTINATION ${femsph_docs})
-install(DIRECTORY docs/ DESTINATION ${femsph_docs}/docs FILES_MATCHING PATTERN *.md PATTERN *.png PATTERN *.toml)
+install(DIRECTORY docs/ DESTINATION ${femsph_docs}/docs
+  FILES_MATCHING PATTERN *.md PATTERN *.png PATTERN *.toml)
 foreach(room model/scene model/material model/motion model/results sph)
   install(FILES ${room}/README.md DESTINATION ${femsph_docs}/${room})
 endforeach()

@@ -1,5 +1,6 @@
-# Writes HEADER, which says what this build is made of. Run at every build, so that the git state is that of the sources compiled;
-# the header is touched only when something changed. Variables: HEADER SOURCE_DIR VERSION DEAL_II BUILD_TYPE FLAGS.
+# Writes HEADER, which says what this build is made of. Run at every build, so that the git state is that of
+# the sources compiled; the header is touched only when something changed. Variables: HEADER SOURCE_DIR
+# VERSION DEAL_II BUILD_TYPE FLAGS.
 set(git "unknown")
 find_package(Git QUIET)
 if(GIT_FOUND)
@@ -7,7 +8,8 @@ if(GIT_FOUND)
   execute_process(COMMAND ${GIT_EXECUTABLE} rev-parse --show-prefix WORKING_DIRECTORY ${SOURCE_DIR}
     OUTPUT_VARIABLE prefix OUTPUT_STRIP_TRAILING_WHITESPACE ERROR_QUIET RESULT_VARIABLE failed)
   if(NOT failed AND prefix STREQUAL "")
-    execute_process(COMMAND ${GIT_EXECUTABLE} --no-optional-locks describe --always --dirty WORKING_DIRECTORY ${SOURCE_DIR}
+    execute_process(COMMAND ${GIT_EXECUTABLE} --no-optional-locks describe --always --dirty
+      WORKING_DIRECTORY ${SOURCE_DIR}
       OUTPUT_VARIABLE state OUTPUT_STRIP_TRAILING_WHITESPACE ERROR_QUIET RESULT_VARIABLE failed)
     if(NOT failed)
       set(git "${state}")
@@ -17,7 +19,8 @@ endif()
 
 string(STRIP "${FLAGS}" FLAGS)
 set(text "#pragma once\n// Written by cmake/provenance.cmake.\n")
-foreach(pair "VERSION=${VERSION}" "DEAL_II=${DEAL_II}" "GIT=${git}" "BUILD_TYPE=${BUILD_TYPE}" "FLAGS=${FLAGS}")
+foreach(pair "VERSION=${VERSION}" "DEAL_II=${DEAL_II}" "GIT=${git}" "BUILD_TYPE=${BUILD_TYPE}"
+    "FLAGS=${FLAGS}")
   string(REGEX MATCH "^([A-Z_]+)=(.*)$" whole "${pair}")
   string(REGEX REPLACE "([\\\"])" "\\\\\\1" value "${CMAKE_MATCH_2}")
   string(REGEX MATCH "^[A-Z_]+" key "${pair}")

@@ -43,7 +43,8 @@ function(femsph_module name folder)
   target_link_libraries(femsph_${name} PRIVATE femsph_flags fmt::fmt ${module_USES})
   target_include_directories(femsph_${name} PRIVATE ${CMAKE_BINARY_DIR}/generated)
   add_dependencies(femsph_${name} femsph_provenance)
-  set_target_properties(femsph_${name} PROPERTIES LIBRARY_OUTPUT_DIRECTORY ${CMAKE_BINARY_DIR} UNITY_BUILD OFF)
+  set_target_properties(femsph_${name} PROPERTIES
+    LIBRARY_OUTPUT_DIRECTORY ${CMAKE_BINARY_DIR} UNITY_BUILD OFF)
   install(TARGETS femsph_${name} LIBRARY DESTINATION lib/femsph)
 endfunction()
 

@@ -1,5 +1,5 @@
-# Sourced by studies/run and tests/run: installs what packages.txt lists and the machine lacks, then configures and builds.
-# Nothing is done twice: a second call finds everything in place.
+# Sourced by studies/run and tests/run: installs what packages.txt lists and the machine lacks, then
+# configures and builds. Nothing is done twice: a second call finds everything in place.
 
 set -euo pipefail
 root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
@@ -11,10 +11,14 @@ install_packages() {
   local missing=() package
   while read -r package; do
     case $package in '' | '#'*) continue ;; esac
-    dpkg-query -W -f '${Status}' "$package" 2>/dev/null | grep -q 'install ok installed' || missing+=("$package")
+    dpkg-query -W -f '${Status}' "$package" 2>/dev/null | grep -q 'install ok installed' ||
+      missing+=("$package")
   done <"$root/packages.txt"
   if [ ${#missing[@]} -eq 0 ]; then return; fi
-  command -v apt-get >/dev/null || { echo "these packages are missing and there is no apt-get: ${missing[*]}" >&2; exit 1; }
+  if ! command -v apt-get >/dev/null; then
+    echo "these packages are missing and there is no apt-get: ${missing[*]}" >&2
+    exit 1
+  fi
   local as_root=()
   if [ "$(id -u)" -ne 0 ]; then
     command -v sudo >/dev/null || { echo "run this as root once, to install: ${missing[*]}" >&2; exit 1; }
@@ -22,7 +26,8 @@ install_packages() {
   fi
   say "installing ${missing[*]}"
   "${as_root[@]}" apt-get update -q
-  "${as_root[@]}" env DEBIAN_FRONTEND=noninteractive apt-get install -y -q --no-install-recommends "${missing[@]}"
+  "${as_root[@]}" env DEBIAN_FRONTEND=noninteractive apt-get install -y -q --no-install-recommends \
+    "${missing[@]}"
 }
 
 build() {  # build PRESET [TARGET..]
@@ -31,7 +36,8 @@ build() {  # build PRESET [TARGET..]
   say "building ($preset)"
   local once=OFF
   if [ -n "${CI:-}" ]; then once=ON; fi  # nobody edits a file and builds again there
-  (cd "$root" && cmake --preset "$preset" -DCMAKE_UNITY_BUILD=$once >"$root/build-$preset.log" 2>&1) || { cat "$root/build-$preset.log"; exit 1; }
+  (cd "$root" && cmake --preset "$preset" -DCMAKE_UNITY_BUILD=$once) >"$root/build-$preset.log" 2>&1 ||
+    { cat "$root/build-$preset.log"; exit 1; }
   rm -f "$root/build-$preset.log"
   (cd "$root" && cmake --build --preset "$preset" -j "$cores" ${1:+--target "$@"})
 }

@@ -12,12 +12,13 @@ OptionWords option_words() {
   for (const auto& [word, value] : integrations()) integration.push_back(word);
   std::vector<std::string> solvers = {"sph", "fem"};
   solvers.insert(solvers.end(), every.begin(), every.end());
-  OptionWords all = {{"--solver", solvers},
-                     {"--methods", every},
-                     {"--integration", integration},
-                     {"--plane", {"stress", "strain", "none"}},
-                     {"--reduce", {"final", "peak", "mean"}},
-                     {"--completion", {"bash"}}};
+  OptionWords all = {
+      {"--solver", solvers},
+      {"--methods", every},
+      {"--integration", integration},
+      {"--plane", {"stress", "strain", "none"}},
+      {"--reduce", {"final", "peak", "mean"}},
+      {"--completion", {"bash"}}};
   for (const MethodOption& option : method_options()) {
     if (!option.on_command_line || option.words.empty()) continue;
     std::string word = "--" + option.word;
