@@ -5,6 +5,12 @@
 
 namespace femsph::fem {
 
+namespace {
+/// The module derives its oracle from ExplicitFem: a program that asks for the static limit alone must hold
+/// that too.
+[[gnu::used]] const auto needed_by_the_module = &discretize;
+}  // namespace
+
 std::unique_ptr<Discretization> discretize_oracle(const Scene& scene, std::size_t body,
                                                   const Options& options) {
   return deal_ii().oracle(scene, body, options);
