@@ -25,8 +25,8 @@ double return_path_xx(const Scene& scene, double time) {
   if (scene.bodies.size() != 1 || scene.bodies[0].rigid || scene.plane == Plane::stress || scene.large_motion)
     throw std::runtime_error("this theory is of one body in plane strain or in space, in small motion");
   const Material& m = scene.material_of(scene.bodies[0]);
-  if (!m.plasticity || m.plasticity->johnson_cook || m.plasticity->hardening != 0 ||
-      scene.initial_displacements.size() != 1 || scene.initial_velocities.size() != 1)
+  if (!m.plasticity() || !m.plasticity()->perfect() || scene.initial_displacements.size() != 1 ||
+      scene.initial_velocities.size() != 1)
     throw std::runtime_error(
         "this theory is of a material without hardening, with one initial displacement and one initial "
         "velocity");
@@ -34,7 +34,7 @@ double return_path_xx(const Scene& scene, double time) {
   const Matrix &a = scene.initial_displacements[0].gradient, &b = start.gradient;
   const double size_a = std::sqrt(inner(a, a)), size_b = std::sqrt(inner(b, b)),
                shear = m.young / (2 * (1 + m.poisson));
-  const double S = std::sqrt(2.0 / 3) * m.plasticity->yield;
+  const double S = std::sqrt(2.0 / 3) * m.plasticity()->yield;
   if (!(size_b > 0) || std::abs(inner(a, b)) > 1e-9 * size_a * size_b || !(2 * shear * size_a >= S) ||
       !deviator_along_axes(a) || !deviator_along_axes(b) || start.profile || start.spin != Point{})
     throw std::runtime_error(
