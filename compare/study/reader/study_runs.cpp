@@ -23,7 +23,7 @@ KeyTable run_keys() {
        {"cases", key_holds::texts, "A name for each resolution. \"20x2\" or \"d=20mm\" unless given."},
        {"quick", key_holds::texts, "The cases that --quick runs. None unless given."},
        {"scene", "a text: the file of a scene, beside the study", "The study's scene unless given."},
-       {"supports", key_holds::numbers,
+       {"smoothing_lengths", key_holds::numbers,
         "SPH with each of these smoothing lengths, h over the spacing, as a method of its own."},
        {"safety", key_holds::number,
         "The step over the critical one, up to 2 (beyond 1: to see what then happens). 0.9 unless given."},
