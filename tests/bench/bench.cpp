@@ -90,7 +90,7 @@ int main(int argc, char** argv) {
     }
     if (!quick) {
       for (const Case& c : methods()) add("method", c.name, quick, [=](benchmark::State& s) { step(s, c); });
-      for (const Case& c : effects()) {
+      for (const Case& c : bench::effects()) {
         if (!c.without.empty()) without[c.name] = c.without;
         add(
             "effect", c.name, quick, [=](benchmark::State& s) { march_step(s, c); }, 1);

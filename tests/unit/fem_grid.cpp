@@ -10,6 +10,7 @@
 #include "fem_support.hpp"
 #include "model/scene/shapes/box.hpp"
 #include "model/scene/shapes/disc.hpp"
+#include "model/scene/shapes/mesh.hpp"
 #include "model/scene/shapes/quadrilateral.hpp"
 #include "model/scene/shapes/round.hpp"
 

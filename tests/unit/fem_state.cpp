@@ -51,7 +51,7 @@ void follow() {
   const LinearElastic elastic = LinearElastic::make(2.0, 0.3, 1.0, dim == 2 ? Plane::strain : Plane::none);
   const fem::Mesh mesh = fem::make_mesh(Box(dim, {}, {1.0, 0.8, 0.9}), {3, 3, 3}, 0.2);
   const fem::Batches batches(mesh);
-  const fem::LoopInput in{&mesh, &batches, elastic, 1.0, 0.05, true, false};
+  const fem::LoopInput in{&mesh, &batches, elastic, 1.0, 0.05, true};
   fem::Loop<ElementType, FiniteRotation, LinearElastic, dim, T> total(in, elastic);
   fem::Loop<ElementType, FiniteRotation, Incremental, dim, T> stepped(in, Incremental{elastic});
   std::mt19937 engine(3);

@@ -94,7 +94,7 @@ TEST(UpdatedNeoHookean, ForcesAreTheSlopeOfTheEnergy) {
   for (Plane plane : {Plane::stress, Plane::strain, Plane::none}) {
     Scene scene = box_scene(
         plane, plane == Plane::none ? Point{0.08, 0.07, 0.06} : Point{0.2, 0.13, 0}, true);
-    scene.materials.at("steel").neo_hookean = true;
+    scene.materials.at("steel").parameters = NeoHookean::Parameters{};
     const auto d = sph::discretize(scene, 0, classic(0.01, sph::MassRule::share));
     AlignedVector<double> f(d->layout().size, 0.0), f0, u0, v = f;
     double e0 = 0, e1 = 0, work = 0;
