@@ -3,6 +3,7 @@
 #include <string>
 #include <utility>
 
+#include "fem/mesh/deal_ii.hpp"
 #include "fem/mesh/gauss.hpp"
 #include "model/input/faults.hpp"
 
@@ -96,7 +97,7 @@ CellMesh make_grid(const Shape& shape, const std::array<int, 3>& divisions) {
   grid.cells = std::move(given->cells);
   mirror_left_handed(grid);
   drop_unused_vertices(grid);
-  orient_consistently(grid);
+  if (!edges_agree(grid)) return deal_ii().grid(shape, divisions, 0.0);
   return grid;
 }
 

@@ -19,11 +19,9 @@ void require_divisions(int dim, const std::array<int, 3>& divisions);
 /// cells share equal wherever they can be.
 CellMesh make_grid(const Shape& shape, const std::array<int, 3>& divisions);
 
-/// Renumbers the corners of cells, lexicographic as they are, until edges that cells share have one direction
-/// in all of them. Every edge parallel to another across some cells gets the direction that the first of them
-/// has from its lower vertex to its higher (Agelek, Anderson, Bangerth and Barth, "On orienting edges of
-/// unstructured two- and three-dimensional meshes", 2017). Leaves all cells as they are if they agree, or if
-/// no directions would make them agree (possible in space only).
-void orient_consistently(CellMesh& grid);
+/// Edges that cells share have one direction in all of them. Where they have not, deal.II turns the cells
+/// (Agelek, Anderson, Bangerth and Barth, "On orienting edges of unstructured two- and three-dimensional
+/// meshes", 2017), and such a grid comes from its module.
+bool edges_agree(const CellMesh& grid);
 
 }  // namespace femsph::fem

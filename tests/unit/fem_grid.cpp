@@ -59,6 +59,7 @@ CellMesh turned_cells(int dim, std::array<int, 3> n, unsigned seed) {
   return mesh;
 }
 
+// Cells whose shared edges do not agree are turned by deal.II; those that agree are left alone by both.
 TEST(FemGrid, CellsThatStartAnywhereAreTurnedAsDealIITurnsThem) {
   int differently_given = 0;
   for (unsigned seed = 1; seed < 20; ++seed)

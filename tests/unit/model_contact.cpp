@@ -221,6 +221,7 @@ TEST(RigidBody, FallsAndFliesExactly) {
   body.mass = 3;
   scene.bodies.push_back(body);
   RigidBody disc(scene, 0);
+  disc.gravity = *scene.gravity;
   disc.velocity = {2, 0, 0};
   disc.begin_forces();
   disc.start_from(1, 0.01);
