@@ -1,11 +1,12 @@
 # A room is a folder with a static library of its own, which links the rooms below it and no others: what is
 # included from above does not link. (tests/arrows reads the includes of headers too.)
-#   femsph_room(NAME FOLDER [HURRIED] [EXCEPT source..] [APART source..] [USES library..] BELOW room..)
-# NAME becomes the target femsph_NAME. HURRIED: it computes no result, and -O1 will do. EXCEPT: sources that
-# belong to a program. APART: sources that are never joined with others in one translation unit. USES:
-# libraries that this room alone sees. The rooms of a top folder are the property FEMSPH_ROOMS_<top folder>.
+#   femsph_room(NAME FOLDER [HURRIED] [FUZZED] [EXCEPT source..] [APART source..] [USES library..] BELOW room..)
+# NAME becomes the target femsph_NAME. HURRIED: it computes no result, and -O1 will do. FUZZED: the fuzzing
+# targets look for inputs that reach new code of it. EXCEPT: sources that belong to a program. APART: sources
+# that are never joined with others in one translation unit. USES: libraries that this room alone sees. The
+# rooms of a top folder are the property FEMSPH_ROOMS_<top folder>.
 function(femsph_room name folder)
-  cmake_parse_arguments(room "HURRIED" "" "EXCEPT;APART;USES;BELOW" ${ARGN})
+  cmake_parse_arguments(room "HURRIED;FUZZED" "" "EXCEPT;APART;USES;BELOW" ${ARGN})
   get_filename_component(root ${CMAKE_CURRENT_FUNCTION_LIST_DIR}/.. ABSOLUTE)
   file(GLOB sources CONFIGURE_DEPENDS ${root}/${folder}/*.cpp)
   foreach(source ${room_EXCEPT})
@@ -23,6 +24,9 @@ function(femsph_room name folder)
     set_target_properties(femsph_${name} PROPERTIES FEMSPH_USES "${room_USES}")
     if(room_HURRIED)
       target_compile_options(femsph_${name} PRIVATE $<$<CONFIG:Release>:-O1>)
+    endif()
+    if(room_FUZZED AND FEMSPH_FUZZ)
+      target_compile_options(femsph_${name} PRIVATE -fsanitize=fuzzer-no-link)
     endif()
   else() # headers alone
     add_library(femsph_${name} INTERFACE)

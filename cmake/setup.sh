@@ -5,7 +5,9 @@ set -euo pipefail
 root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
 cores=$(nproc)
 
-say() { printf '== %s\n' "$*"; }
+started=${started:-$(date +%s)} # of the first of these scripts, where one calls another
+export started
+say() { printf '== %s (%d s)\n' "$*" $(($(date +%s) - started)); }
 
 install_packages() {
   local missing=() package

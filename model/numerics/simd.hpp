@@ -6,10 +6,6 @@
 #include <cmath>
 #include <cstddef>
 
-#ifdef __AVX512DQ__
-#include <immintrin.h>
-#endif
-
 namespace femsph {
 
 inline constexpr int lanes = 8;
@@ -73,8 +69,10 @@ FEMSPH_INLINE Pack square_root(Pack x) {
 FEMSPH_INLINE bool any(bool mask) { return mask; }
 FEMSPH_INLINE bool any(PackMask mask) {
 #ifdef __AVX512DQ__
-  return _mm512_movepi64_mask(reinterpret_cast<__m512i>(mask)) !=
-         0;  // the comparison's own mask; GCC would take the lanes one by one
+  // _mm512_movepi64_mask, the comparison's own mask; GCC would take the lanes one by one. Not by its name:
+  // <immintrin.h> takes as long to compile as many a source.
+  using Lanes = long long __attribute__((vector_size(lanes * sizeof(long long))));
+  return __builtin_ia32_cvtq2mask512(reinterpret_cast<Lanes>(mask)) != 0;
 #else
   using Half = long __attribute__((vector_size(4 * sizeof(long))));
   using Quarter = long __attribute__((vector_size(2 * sizeof(long))));

@@ -15,7 +15,7 @@
 namespace femsph {
 namespace {
 
-#ifdef __SANITIZE_THREAD__
+#ifdef FEMSPH_SANITIZED
 constexpr bool watched = true;
 #else
 constexpr bool watched = false;

@@ -20,8 +20,7 @@ void limit(decltype(RLIMIT_CPU) what, rlim_t most) {
   setrlimit(what, &now);
 }
 
-#if !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__) && \
-    !defined(FEMSPH_FUZZING)  // their shadow is terabytes
+#ifndef FEMSPH_SANITIZED  // a sanitizer's shadow memory is terabytes of addresses
 std::size_t address_space() {
   std::size_t pages = 0;
   if (std::FILE* file = std::fopen("/proc/self/statm", "r")) {
@@ -38,7 +37,7 @@ void confine(const ChildLimits& limits) {
   limit(RLIMIT_CORE, 0);
   limit(RLIMIT_CPU, limits.seconds);
   alarm(20 * limits.seconds);
-#if !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__) && !defined(FEMSPH_FUZZING)
+#ifndef FEMSPH_SANITIZED
   if (const std::size_t now = address_space()) limit(RLIMIT_AS, now + limits.bytes);
 #endif
   const int nowhere = open("/dev/null", O_RDWR);
