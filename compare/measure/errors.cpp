@@ -8,8 +8,8 @@
 namespace femsph::compare {
 namespace {
 
-// Times at which `value` rises through `level`, after it was below level - band and until it is above level +
-// band.
+/// Times at which `value` rises through `level`: each counts if it was below level - band before, and is
+/// above level + band before it falls again.
 std::vector<double> rising_crossings(std::span<const double> time, std::span<const double> value,
                                      double level, double band) {
   std::vector<double> crossings;
@@ -79,7 +79,7 @@ std::optional<double> dominant_frequency(std::span<const double> time, std::span
   const auto [low, high] = std::minmax_element(value.begin(), value.end());
   const double level = (*low + *high) / 2, band = (*high - *low) / 10;
   if (10 * band <= 1e-9 * std::max(std::abs(*low), std::abs(*high)))
-    return {};  // at rest: what swings is round-off
+    return {};  // at rest: only round-off oscillates
   std::vector<double> mirrored(value.begin(), value.end());
   for (double& v : mirrored) v = 2 * level - v;
   double span = 0;

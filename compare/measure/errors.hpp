@@ -12,8 +12,8 @@ namespace femsph::compare {
 /// 100 (value/reference - 1): positive when the value is larger in magnitude. Nothing if the reference is 0.
 std::optional<double> percent_error(double value, double reference);
 
-/// 100 sqrt(integral (v - r)^2 / integral r^2) over x, both by the trapezoid rule. Nothing if r is 0 all
-/// along. Throws std::invalid_argument if the three differ in length or have fewer than two entries.
+/// 100 sqrt(integral (v - r)^2 / integral r^2) over x, both by the trapezoid rule. Nothing if r is 0
+/// everywhere. Throws std::invalid_argument if the three differ in length or have fewer than two entries.
 std::optional<double> percent_l2(std::span<const double> x, std::span<const double> value,
                                  std::span<const double> reference);
 
@@ -25,11 +25,12 @@ std::vector<double> resample(std::span<const double> x, std::span<const double> 
 /// Frequency (Hz, if time is in s) of the slowest strong oscillation of a history: one over the mean time
 /// between crossings of the middle level in the same direction. A crossing counts once the history has left a
 /// band of a tenth of the range on either side, so small ripples do not count; the band's level cancels out,
-/// so whole periods are not needed. Nothing if it never swings back, or by less than 1e-9 of its size.
+/// so whole periods are not needed. Nothing if the history never
+/// swings back, or by less than 1e-9 of its magnitude.
 std::optional<double> dominant_frequency(std::span<const double> time, std::span<const double> value);
 
-/// Distance (L2 over time, percent of the reference) of a history from the table, over the times that both
-/// have. Throws std::runtime_error.
+/// percent_l2 of a history from the table, over the times that both have. Throws std::runtime_error if there
+/// are none, or if the table is zero.
 double percent_from(const ReferenceTable& table, const std::vector<double>& at,
                     const std::vector<double>& value);
 

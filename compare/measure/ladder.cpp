@@ -71,8 +71,7 @@ std::optional<SpacingAtError> spacing_at_error(Ladder errors, double target) {
   }
   for (std::size_t i = 1; i < errors.size(); ++i) monotone &= errors[i].value < errors[i - 1].value;
 
-  // The segment to interpolate on, or to extrapolate from: the finest one on which the error grows past the
-  // target.
+  // Interpolate on the finest segment on which the error passes the target, or extrapolate from the end.
   std::size_t fine = errors.size() - 1;
   const bool beyond_fine = errors[fine].value > target;
   if (!beyond_fine)

@@ -1,6 +1,6 @@
 #pragma once
-// What a ladder of spacings tells: the observed order, the value at spacing zero, the spacing that an error
-// asks for.
+// A ladder is a series of runs that differ in their spacing alone; each run is a rung. It gives the observed
+// order of convergence, the value at spacing zero, and the spacing for a given error.
 
 #include <optional>
 #include <vector>
@@ -21,20 +21,20 @@ std::vector<double> pairwise_orders(Ladder errors);
 std::optional<double> fitted_order(const Ladder& errors);
 
 /// value(d) = limit + C d^order through the three finest rungs (Richardson 1911; for any ratio of spacings,
-/// Roache 1998, 5.10). Nothing with fewer than three rungs, or if the differences do not shrink in one
-/// direction.
+/// Roache 1998, 5.10). Nothing with fewer than three rungs, or unless the differences have one
+/// sign and shrink.
 struct Extrapolation {
   double limit, order;
 };
 std::optional<Extrapolation> richardson(Ladder values);
 
-/// Orders that are those of convergence. Below: with halved spacings the differences fall by less than 0.7,
-/// as those of something that grows as a logarithm do (order 0). Above: no method here has it, so that the
-/// ladder is not on its way yet.
+/// Observed orders that count as convergence. Below 0.5, halving the spacing leaves more than 0.7 of the
+/// difference before, as for a value that grows like a logarithm (order 0). No method here has an order above
+/// 6: if one is observed, the spacings are too coarse to extrapolate from.
 inline constexpr double least_order = 0.5, greatest_order = 6;
 inline bool is_convergence(double order) { return order >= least_order && order <= greatest_order; }
 
-/// The coarsest spacing from which on every finer one has at most the error `target`, by interpolation in
+/// The coarsest spacing such that it and all finer ones have at most the error `target`, by interpolation in
 /// log-log.
 struct SpacingAtError {
   double spacing;

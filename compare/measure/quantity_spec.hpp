@@ -1,5 +1,5 @@
 #pragma once
-// A number to take from a run, and what to compare it with.
+// A number to take from a run, and what it is compared with.
 
 #include <array>
 #include <optional>
@@ -17,13 +17,10 @@ struct Observed {
   std::string probe, section, column, scalar;  ///< exactly one of them is named
   std::string component;
   Unit unit;
-  std::string si = {};  ///< of a column: what it is taken to be in; empty: whatever it is
+  std::string si = {};  ///< SI unit that a column is expected in; empty: any
 };
 
-/// `integral`: of a force over time; `duration`: from the first to the last sample that is not zero, as a
-/// time of contact; `excess`: largest amount by which an equivalent stress lies above its yield curve, yield
-/// + H p, over the yield stress; `moment`: of a section's axial stress about its middle, integral sigma_xx (y
-/// - y0) dA.
+/// What is made of a history or a profile: the catalogue is in reductions.hpp.
 enum class Reduce {
   final,
   max,
@@ -50,11 +47,11 @@ struct QuantitySpec {
   Observed along;                               ///< excess: the equivalent plastic strain p
   std::optional<std::array<double, 2>> window;  ///< s: the part of a history that `reduce` looks at
   SignRule sign = SignRule::as_is;              ///< how value, theory and limit are shown
-  double offset = 0;  ///< added to the value, in the unit and sign of the table: a length is the first one
-                      ///< plus a displacement
+  double offset = 0;  ///< added to the value, in the unit and sign of the table: to a displacement, say, the
+                      ///< length at the start
   std::optional<std::string> theory;    ///< name of a theory value
-  std::optional<double> reference;      ///< in its place: a number, in the unit and sign of the table
-  std::optional<ReferenceTable> table;  ///< in its place, with l2: a whole history
+  std::optional<double> reference;      ///< instead of theory: a number, in the unit and sign of the table
+  std::optional<ReferenceTable> table;  ///< instead of theory, with l2: a whole history
   std::optional<std::string> scene;     ///< only of runs of that scene
   std::vector<std::string> methods;     ///< only of runs with these labels; empty: all
   bool is_of(const PlannedRun& run) const;

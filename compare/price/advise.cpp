@@ -12,7 +12,7 @@
 namespace femsph::compare {
 namespace {
 
-// Divisions of the shortest side. Ratios of 1.3 to 2: a rung more costs little, since the finest costs most.
+// Divisions of the shortest side. Their ratios are 1.3 to 2, as the finest run costs more than all others.
 constexpr int ladder_divisions[] = {1, 2, 3, 4, 6, 8, 12, 16, 24, 32, 48, 64, 96, 128, 192, 256, 384, 512};
 
 double shortest_side(const Scene& scene) {
@@ -44,7 +44,7 @@ struct Ladders {
     return PricedLadder(m.rungs, scene.dim()).cpu_at(advice.shortest / divisions);
   }
 
-  /// For an error asked: the method's limit is known to a fifth of it, and its finest run has less.
+  /// An error is asked for, and the limit is known to a fifth of it: the finest run has a smaller error.
   bool knows_enough(const MethodEvidence& m) const {
     if (!question.error || m.rungs.size() < 4) return false;
     Ladder values;
@@ -54,7 +54,7 @@ struct Ladders {
            125 * std::abs(m.values.back() / found->limit - 1) < 0.2 * *question.error;
   }
 
-  /// One rung more; a second run where it takes little, since the less of two times is nearer to the truth.
+  /// Adds a rung. A short run is made twice: the smaller of two times has less disturbance in it.
   void climb(MethodEvidence& m, int divisions) {
     RunResult r;
     double cpu = std::numeric_limits<double>::infinity();
@@ -114,15 +114,16 @@ void find_limits(Advice& advice) {
   }
 }
 
-/// Every consistent method must approach a limit, if there is one: classic SPH has errors at a boundary that
+/// A consistent method converges if there is a limit. Classic SPH is not consistent: its errors at a boundary
 /// do not vanish.
 bool consistent(const Method& method) {
   const auto* sph = std::get_if<sph::Options>(&method.options);
   return !sph || sph->formulation != sph::Formulation::classic;
 }
 
-/// A ladder of five rungs or more whose values go on in one direction without the order of convergence, by
-/// steps that matter for the answer: as those under a force on a point do, by a logarithm.
+/// Finds ladders of five rungs or more whose values do not converge: they change in one direction, without an
+/// order of convergence, by amounts that matter for the answer. A displacement under a point force does so,
+/// as it grows like a logarithm.
 void find_dissent(Advice& advice) {
   for (MethodEvidence& m : advice.methods) {
     const std::size_t n = m.values.size();
@@ -137,7 +138,8 @@ void find_dissent(Advice& advice) {
   }
 }
 
-/// The best-known limit that others meet; without such, the best known.
+/// The reference is the best-known limit among those that other methods agree with; if there is none, the
+/// best-known limit.
 void find_reference(Advice& advice) {
   const auto meets = [&](const MethodEvidence& a, const MethodEvidence& b) {
     return a.limit && b.limit && 100 * std::abs(*a.limit / *b.limit - 1) <= advice.tolerance_percent;
@@ -169,8 +171,8 @@ void find_reference(Advice& advice) {
   advice.known_percent = reference.known_percent;
 }
 
-/// What a method needs for the error, rounded to whole divisions of the shortest side; the aim is nine tenths
-/// of it.
+/// The spacing that a method needs for nine tenths of the error, rounded to whole divisions of the shortest
+/// side.
 std::optional<Choice> for_error(const Advice& advice, std::size_t k, double error, const PricedLadder& ladder,
                                 std::string& why) {
   const auto cost = ladder.cost_of(0.9 * error);
@@ -188,7 +190,7 @@ std::optional<Choice> for_error(const Advice& advice, std::size_t k, double erro
                 spacing < ladder.rungs().back().spacing * (1 - 1e-9)};
 }
 
-/// What a method reaches in the time.
+/// The smallest error that a method reaches in the time.
 std::optional<Choice> for_time(const Advice& advice, std::size_t k, double within, const PricedLadder& ladder,
                                std::string& why) {
   const auto spacing = ladder.spacing_for(within);
@@ -207,7 +209,7 @@ std::optional<Choice> for_time(const Advice& advice, std::size_t k, double withi
                   *ladder.error_at(d),
                   d < ladder.rungs().back().spacing * (1 - 1e-9)};
   }
-  divisions = std::min(divisions, advice.methods[k].divisions.back());  // no further than what was measured
+  divisions = std::min(divisions, advice.methods[k].divisions.back());  // not finer than what was measured
   const double d = advice.shortest / divisions;
   return Choice{
       k, divisions, d, ladder.cpu_at(d), ladder.error_at(d).value_or(ladder.credited().back()), false};

@@ -35,7 +35,7 @@ std::string ladders(const Question& question, const Advice& advice) {
 
 std::string limits(const Question& question, const Advice& advice) {
   std::vector<std::vector<std::string>> cells{
-      {"method", "limit", "known to %", "its order", "meets", question.error ? "needs" : "reaches"}};
+      {"method", "limit", "known to %", "order", "agrees", question.error ? "needs" : "reaches"}};
   for (std::size_t k = 0; k < advice.methods.size(); ++k) {
     const MethodEvidence& m = advice.methods[k];
     std::string can = m.trouble;
@@ -46,7 +46,7 @@ std::string limits(const Question& question, const Advice& advice) {
               : advice.why_not[k];
     }
     cells.push_back(
-        {m.method.name, m.limit ? rounded(*m.limit, 5) : "none in sight",
+        {m.method.name, m.limit ? rounded(*m.limit, 5) : "none found",
          m.limit ? rounded(m.known_percent, 2) : "", m.order ? fmt::format("{:.2f}", *m.order) : "",
          !advice.reference        ? ""
          : k == *advice.reference ? "reference"
@@ -57,8 +57,7 @@ std::string limits(const Question& question, const Advice& advice) {
   return markdown_table(cells);
 }
 
-/// What the evidence is made of: how near the limits are to each other, and with which orders they are
-/// approached.
+/// How far apart the limits are, and the observed orders.
 std::string agreement(const Advice& advice) {
   if (advice.meeting < 2) return "";
   double least = 1e300, most = 0;
@@ -68,7 +67,7 @@ std::string agreement(const Advice& advice) {
                      rounded(advice.spread_percent, 2), least, most);
 }
 
-/// No more than the evidence carries.
+/// How far the reference can be trusted.
 std::string confidence(const Advice& advice) {
   for (const MethodEvidence& m : advice.methods)
     if (!m.dissent.empty()) return "but " + m.dissent + ": confidence none";
@@ -79,7 +78,7 @@ std::string confidence(const Advice& advice) {
                                : "all of one kind: confidence low";
 }
 
-/// Which probe it is: nobody need guess that the first was taken.
+/// The probe, which the command line need not name.
 std::string probe_line(const Scene& scene, const Question& question) {
   for (const Probe& probe : scene.probes)
     if (probe.name == question.quantity.observed.probe)
@@ -106,7 +105,7 @@ std::string describe(const Scene& scene, const Question& question, const Advice&
   if (!advice.methods.empty())
     text += line(
         "ladders",
-        fmt::format("{} methods, spacings as parts of the shortest side, {} mm; {} of CPU on one thread",
+        fmt::format("{} methods at spacings that divide the shortest side, {} mm; {} of CPU on one thread",
                     advice.methods.size(), millimetres(advice.shortest), seconds(advice.spent)));
   if (!advice.methods.empty())
     text += "\n" + ladders(question, advice) + "\n" + limits(question, advice) + "\n";
@@ -134,7 +133,7 @@ std::string describe(const Advice& advice, const Question& question, const Outco
   const char* verdict = !question.error                              ? ""
                         : std::abs(outcome.error) <= *question.error ? ": as asked"
                                                                      : ": more than asked";
-  return line("made",
+  return line("advised run",
               fmt::format("{} of CPU, {:.2f} times the predicted; {} {}, error {:+.2g} %{}",
                           seconds(outcome.cpu), outcome.cpu / advice.best->cpu, rounded(outcome.value, 5),
                           question.quantity.observed.unit.name, outcome.error, verdict)) +

@@ -34,7 +34,7 @@ PricedLadder::PricedLadder(std::vector<PricedRung> rungs, int dim, double known_
     else if (n > 1 && !one_sign(rungs_[i].error, rungs_[i - 1].error))
       credited_[i] = std::max(credited_[i], std::abs(rungs_[i - 1].error));
   }
-  // Seconds a step = a + b units, each rung's share of error alike (weights 1/y^2), a and b not negative.
+  // Least squares of the relative error (weights 1/y^2) for seconds a step = a + b units; a, b not negative.
   double s = 0, x = 0, xx = 0, y = 0, xy = 0;
   for (std::size_t i = n > 3 ? n - 3 : 0; i < n; ++i) {
     if (!(rungs_[i].steps > 0 && rungs_[i].units > 0 && rungs_[i].cpu > 0)) continue;

@@ -1,6 +1,6 @@
 #pragma once
-// What accuracy costs: a method's ladder of spacings with the error and the CPU time of every rung, and what
-// follows from it.
+// What accuracy costs: the runs of one method at several spacings (a ladder), with the error and the CPU time
+// of each run (a rung), and what follows from them.
 
 #include <optional>
 #include <string>
@@ -16,23 +16,23 @@ struct PricedRung {
   double cpu_min = 0, cpu_max = 0;  ///< s, of repeated runs
 };
 
-/// Coarse to fine, with the errors that the rungs are credited with.
+/// Rungs from coarse to fine, with credited errors.
 class PricedLadder {
  public:
-  /// `dim`: how units grow, as spacing^-dim. `known_to`: errors below this (percent) are those of the
-  /// reference.
+  /// The number of units grows as spacing^-dim. `known_to`: how well the reference is known, percent: smaller
+  /// errors mean nothing.
   PricedLadder(std::vector<PricedRung> rungs, int dim, double known_to = 0);
 
   const std::vector<PricedRung>& rungs() const { return rungs_; }
-  /// An error that passes through zero is small by luck. A rung is credited with the largest error of all
-  /// rungs as fine or finer; a finest rung whose sign is not that of the rung before it proves nothing, so
-  /// that it counts with that one's error; and no rung is credited with less than the error that the finest
-  /// three head for.
+  /// The error that each rung counts with, percent, not negative. Where the error changes its sign with the
+  /// spacing, it is small by chance. So a rung counts with the largest |error| of all rungs that are as fine
+  /// or finer; the finest counts with the error of the rung before it if their signs differ; and none counts
+  /// with less than the error at spacing zero that the finest three extrapolate to.
   const std::vector<double>& credited() const { return credited_; }
 
-  /// Time of a run at a spacing. Between rungs: linear in log-log. Beyond the finest: steps as 1/spacing,
-  /// units as spacing^-dim, and a + b units seconds a step from the finest three rungs. Beyond the coarsest:
-  /// the coarsest's.
+  /// CPU time of a run at a spacing, s. Between rungs: linear in log-log. Beyond the finest: steps grow as
+  /// 1/spacing, units as spacing^-dim, and a step takes a + b units seconds, fitted to the finest three
+  /// rungs. Beyond the coarsest: that of the coarsest.
   double cpu_at(double spacing) const;
 
   struct Cost {
@@ -41,29 +41,29 @@ class PricedLadder {
     std::string reason;  ///< why it is not reached
     bool reached() const { return basis != Basis::not_reached; }
   };
-  /// The coarsest spacing from which on all finer ones have at most this error, and the time there:
-  /// interpolated in log-log between two rungs whose errors have one sign (else the finer of them), or by the
-  /// fitted order beyond the finest rung, if the ladder heads for zero.
+  /// The coarsest spacing such that it and all finer ones have at most this error (percent), and the time
+  /// there: interpolated in log-log between two rungs whose errors have one sign (else the finer of them);
+  /// beyond the finest rung by the fitted order, if the errors extrapolate to nearly zero.
   Cost cost_of(double error) const;
-  /// The error at a spacing, percent: credited, or by the fitted order beyond the finest. Nothing where that
-  /// is not sound; then `why`.
+  /// The error at a spacing, percent: the credited one, or by the fitted order beyond the finest rung.
+  /// Nothing where extrapolation is not allowed; `why` says why.
   std::optional<double> error_at(double spacing, std::string* why = nullptr) const;
-  /// The largest spacing that costs at most `cpu`, nothing if the coarsest costs more.
+  /// The smallest spacing that takes at most `cpu` seconds; nothing if even the coarsest takes longer.
   std::optional<double> spacing_for(double cpu) const;
 
-  /// Order of the error in the spacing, by least squares in log-log over the finest three or four rungs of
-  /// one sign and falling error; nothing with fewer than three. `why` says why not.
+  /// Order of the error in the spacing, by least squares in log-log over the finest three or four rungs whose
+  /// errors have one sign and fall; nothing with fewer than three such rungs, and `why` says why.
   std::optional<double> order(std::string* why = nullptr) const;
   /// The error at spacing zero by Richardson's extrapolation of the finest three rungs, percent.
   std::optional<double> heading() const { return heading_; }
-  /// Slopes in log-log over the rungs that `order` takes: error over CPU time.
+  /// Slope in log-log of the error over the CPU time, over the rungs that `order` uses.
   std::optional<double> error_over_cpu() const;
-  /// CPU time over the number of unknowns, of the finest four rungs.
+  /// Slope in log-log of the CPU time over the number of unknowns, over the finest four rungs.
   std::optional<double> cpu_over_dof() const;
 
  private:
-  /// `order`, where the errors may be extrapolated with it: they head for less than half of the finest
-  /// rung's.
+  /// `order`, where errors may be extrapolated with it: at spacing zero they extrapolate to less than half of
+  /// the error of the finest rung.
   std::optional<double> sound_order(std::string* why) const;
   std::size_t first_of_tail() const;  ///< the rungs from here on have one sign and a falling error
 

@@ -13,7 +13,7 @@ std::string asked(const AdviceSpec& spec) {
   return spec.error ? fmt::format("error {:g} %", *spec.error) : fmt::format("within {:g} s", *spec.within);
 }
 
-/// What the study measures the quantity against.
+/// The limit or theory that the study compares the quantity with.
 std::optional<double> limit_in(const std::vector<Row>& rows, const AdviceSpec& spec) {
   for (const Row& row : rows)
     if (row.scene == spec.scene && row.quantity == spec.quantity && (row.limit || row.theory))
@@ -57,17 +57,17 @@ std::string csv(const std::vector<FollowedAdvice>& all) {
       "error_percent,error_vs_limit_percent,meeting,methods,refusal\r\n";
   for (const FollowedAdvice& one : all) {
     const auto& best = one.advice.best;
-    text += fmt::format(
-        "{},{},{},", csv_cell(one.spec->scene), csv_cell(one.spec->quantity), csv_cell(asked(*one.spec)));
-    text += best ? fmt::format("{},{},{},{},", csv_cell(one.advice.methods[best->method].method.name),
-                               csv_number(1e3 * best->spacing), best->extrapolated ? "yes" : "no",
-                               csv_number(best->cpu))
-                 : ",,,,";
-    text += (one.outcome ? csv_number(one.outcome->cpu) : "") + "," + (best ? csv_number(best->error) : "") +
-            "," + (one.outcome ? csv_number(one.outcome->error) : "") + ",";
-    text += (one.error_vs_limit_percent ? csv_number(*one.error_vs_limit_percent) : "") +
-            fmt::format(
-                ",{},{},{}\r\n", one.advice.meeting, one.advice.methods.size(), csv_cell(one.advice.refusal));
+    text += csv_line(
+        {one.spec->scene, one.spec->quantity, asked(*one.spec),
+         best ? one.advice.methods[best->method].method.name : "",
+         best ? csv_number(1e3 * best->spacing) : "",
+         !best                ? ""
+         : best->extrapolated ? "yes"
+                              : "no",
+         best ? csv_number(best->cpu) : "", one.outcome ? csv_number(one.outcome->cpu) : "",
+         best ? csv_number(best->error) : "", one.outcome ? csv_number(one.outcome->error) : "",
+         csv_number(one.error_vs_limit_percent), fmt::format("{}", one.advice.meeting),
+         fmt::format("{}", one.advice.methods.size()), one.advice.refusal});
   }
   return text;
 }

@@ -1,5 +1,5 @@
 #pragma once
-// [[advice]] of a study: does what `femsph advise` predicts come true?
+// [[advice]] of a study: compares what `femsph advise` predicts with the run that it advises.
 
 #include "compare/price/advise.hpp"
 
@@ -9,11 +9,11 @@ struct FollowedAdvice {
   const AdviceSpec* spec;
   Question question;
   Advice advice;
-  std::optional<Outcome> outcome;                ///< none: no advice, or the run failed
+  std::optional<Outcome> outcome;                ///< nothing without advice, or if the run failed
   std::optional<double> error_vs_limit_percent;  ///< against the study's own limit or theory
 };
 
-/// Asks, follows and measures, one after the other. `rows`: the study's, for its limits.
+/// For each [[advice]]: asks, and makes the advised run. `rows`: those of the study, for its limits.
 std::vector<FollowedAdvice> follow_advice(const Study& study, const std::vector<Row>& rows,
                                           const Engine& engine,
                                           const std::function<void(const std::string&)>& log);

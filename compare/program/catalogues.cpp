@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include "compare/measure/reductions.hpp"
 #include "compare/reference/theory.hpp"
 #include "compare/report/readme.hpp"
 #include "compare/report/table.hpp"
@@ -34,7 +35,7 @@ std::vector<Entry> theory_entries() {
   return all;
 }
 
-/// Each as `check` lists it, with the tables that ask for it.
+/// By the names that `check` prints, with the tables of a scene that switch them on.
 std::vector<Entry> effects_entries() {
   std::vector<Entry> all;
   for (const EffectEntry& effect : effects()) {
@@ -49,12 +50,13 @@ std::vector<Entry> effects_entries() {
 std::vector<Catalogue> catalogues() {
   return {{"laws", "laws (law = .. in [materials.NAME])", scene_page().at("materials.NAME").entries},
           {"shapes", "shapes (shape = .. in [bodies.NAME])", scene_page().at("bodies.NAME").entries},
-          {"effects", "effects (what a scene asks for; `femsph check` lists those on and off)",
+          {"effects", "effects (switched on by tables of a scene; `femsph check` lists those on and off)",
            effects_entries()},
           {"quantities", "quantities (quantity = .. in [[probes]] and [[sections]])", quantity_entries()},
           {"elements", "elements (--solver; methods in [[runs]])", method_entries(true)},
           {"formulations", "SPH formulations (--solver; methods in [[runs]])", method_entries(false)},
           {"options", "options of methods (options in [[runs]]; most on the command line)", option_entries()},
+          {"reductions", "reductions (reduce = .. in [[quantities]])", reduction_entries()},
           {"theory-values", "theory values (theory in [[quantities]] and [[series]])", theory_entries()}};
 }
 

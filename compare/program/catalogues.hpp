@@ -1,5 +1,5 @@
 #pragma once
-// Everything that a user can name, kind by kind, for `femsph list` and for the tables in READMEs.
+// All words that a user can choose from, kind by kind, for `femsph list` and for the tables in READMEs.
 
 #include <string>
 #include <vector>
@@ -15,7 +15,7 @@ struct Catalogue {
 };
 
 std::vector<Catalogue> catalogues();
-/// A Markdown table of words and what they say of themselves.
+/// A Markdown table of the words and their descriptions.
 std::string to_markdown(const Catalogue& catalogue);
 /// A README with the tables of all catalogues that it has markers for.
 std::string with_catalogues(const std::string& readme);

@@ -1,4 +1,4 @@
-// `femsph advise`: from the command line to a question.
+// `femsph advise`: makes a question of the command line, and prints the advice.
 
 #include <fmt/format.h>
 
@@ -71,7 +71,7 @@ Reduce reduce_of(const Scene& scene, const std::string& word) {
       "--reduce: {} is unknown; expected {}{}", in_quotes(word), one_of(names), did_you_mean(word, names)));
 }
 
-/// The component that moves most in a coarse run by whichever method can make one.
+/// The component with the largest value in a coarse run, by the first method that can make one.
 std::string largest_component(const Scene& scene, const Probe& probe,
                               const std::vector<std::string>& components, const Question& question) {
   double shortest = 1e300;
@@ -107,7 +107,7 @@ std::string largest_component(const Scene& scene, const Probe& probe,
 Question question_of(const AdviseCommand& c, const Scene& scene) {
   Question q;
   if (c.error.empty() == c.within.empty())
-    throw BadCommand("how good, or how long? give either --error 1% or --within \"10 min\"");
+    throw BadCommand("expected either an error, such as --error 1%, or a time, such as --within \"10 min\"");
   if (!c.error.empty()) q.error = percent_of(c.error);
   if (!c.within.empty()) q.within = seconds_of("--within", c.within);
   q.budget = seconds_of("--budget", c.budget);
@@ -118,7 +118,7 @@ Question question_of(const AdviseCommand& c, const Scene& scene) {
   } catch (const std::runtime_error& e) {
     throw BadCommand(std::string("--methods: ") + e.what());
   }
-  for (std::size_t i = 0; i < q.methods.size(); ++i)  // one that stands there twice would confirm itself
+  for (std::size_t i = 0; i < q.methods.size(); ++i)  // a method that is given twice would agree with itself
     for (std::size_t j = 0; j < i; ++j)
       if (q.methods[i].name == q.methods[j].name)
         throw BadCommand(fmt::format("--methods: {} is given twice", q.methods[i].name));

@@ -49,7 +49,7 @@ std::string effects_line(const std::vector<std::string>& on) {
   return text.empty() ? "none" : text;
 }
 
-/// Seconds of CPU for one step, from some tenths of a second of them.
+/// CPU seconds of one step, measured over some tenths of a second.
 double seconds_per_step(const Scene& scene, const Method& method, const Resolution& resolution,
                         const MarchOptions& options, double step, std::size_t units) {
   const double steps = std::clamp(2e7 / double(units), 20.0, 2000.0);
@@ -74,7 +74,7 @@ int check_command(const RunCommand& command) {
   fmt::print("  {:<24} {}\n", "effects off", effects_line(effects_off(scene)));
   if (command.solver.empty()) {
     for (const std::string& text : scene.warnings) print_warning(text);
-    fmt::print("for particles or elements, step, memory and time, add --solver and --spacing\n");
+    fmt::print("add --solver and --spacing to see particles or elements, critical step, memory and time\n");
     return 0;
   }
   const Method method = method_of(command);
@@ -91,7 +91,7 @@ int check_command(const RunCommand& command) {
   for (const auto& [key, value] : derived_values(march))
     if (key != "effects on") fmt::print("  {:<24} {}\n", key, value);
   const double each = seconds_per_step(scene, method, resolution, options, march.dt(), march.price().units);
-  fmt::print("  {:<24} {:.2g} s of CPU ({:.3g} ns a unit and step, measured)\n", "time",
+  fmt::print("  {:<24} {:.2g} s of CPU expected ({:.3g} ns for each unit and step, measured)\n", "time",
              each * double(march.planned_steps()), 1e9 * each / double(march.price().units));
   return 0;
 }

@@ -1,4 +1,4 @@
-// `femsph list` and `femsph help`: what the catalogues and the tables of keys say.
+// `femsph list` and `femsph help`: print the catalogues and the tables of keys.
 
 #include <fmt/format.h>
 
@@ -31,13 +31,13 @@ void list_studies(const std::string& program) {
     try {
       title = read_study((fs::path(folder) / name / "study.toml").string()).title;
     } catch (const InputError&) {
-      title = fmt::format("(its study.toml has faults: femsph study {} tells)", name);
+      title = fmt::format("(its study.toml has faults: `femsph study {}` shows them)", name);
     }
     fmt::print("  {:<12} {}\n", name, title);
   }
 }
 
-/// "  word   meaning", the meaning in several lines where it is long.
+/// Prints "  word   meaning", with a long meaning in several lines.
 void print_entry(const Entry& entry, std::size_t width) {
   constexpr std::size_t columns = 110;
   std::string line = fmt::format("  {:<{}} ", entry.word, width);

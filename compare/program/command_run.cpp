@@ -45,7 +45,8 @@ const std::string& checked_word(const MethodOption& option, const std::string& v
                                one_of(option.words), did_you_mean(value, option.words)));
 }
 
-/// What the command line changes of a method; first whether it changes anything there, then to what.
+/// The options of the method that the command line changes. First refuses those that would do nothing, then
+/// checks their values.
 Overrides overrides_of(const RunCommand& c, const Method& method) {
   std::vector<std::pair<const MethodOption*, std::string>> given;  // with their flags
   const auto note = [&](const std::string& word, const std::string& flag) {
@@ -171,18 +172,18 @@ CheckpointOptions checkpoint_of(const RunCommand& c) {
   return options;
 }
 
-constexpr int not_settled = 3;  ///< exit code: the results are there and are no static state
+constexpr int not_settled = 3;  ///< exit code: the results are written, but are no static state
 
 void print_warning(const std::string& text) { fmt::print(stderr, "warning: {}\n", text); }
 
-/// The scene of a checkpoint: its own text; mesh files from where they were.
+/// The scene of a checkpoint: its text is in the checkpoint, mesh files are read again.
 Scene scene_again(const RunOrigin& origin) {
   Scene scene = parse_scene(origin.scene_text, origin.scene_path);
   scene.file = origin.scene_file;
   return scene;
 }
 
-/// A run writes its scene beside its results; a scene.toml that no run has put there is somebody's own.
+/// A run writes scene.toml into its folder: it must not overwrite one that is not of an earlier run.
 void refuse_foreign(const std::string& folder, const Scene& scene) {
   const std::string file = folder + "/scene.toml";
   std::error_code none;

@@ -1,5 +1,5 @@
 #pragma once
-// What the command line asks for, and the functions that do it.
+// The options of every command, and the function that carries it out.
 
 #include <array>
 #include <map>
@@ -32,15 +32,24 @@ struct RunCommand {
   std::string command;                    ///< the command line, for the record
   std::vector<std::string> arguments;     ///< the same, word by word, for a checkpoint
   std::optional<std::string> checkpoint;  ///< "1000" steps, or "10 min" of the wall clock
-  std::shared_ptr<const Checkpoint>
-      from;  ///< `femsph resume`: go on from here, in place of reading the scene file
+  /// `femsph resume`: start from here, instead of from the scene file.
+  std::shared_ptr<const Checkpoint> from;
 };
 
 /// Returns the exit code. Throws what run_scene throws.
 int run_command(const RunCommand& command);
-/// Reads the scene; with a solver and a resolution also discretizes it, and prints what follows: sizes,
-/// critical step, memory, time.
+/// Reads the scene and prints it; with a solver and a resolution also discretizes it, and prints particles or
+/// elements, critical step, memory and time.
 int check_command(const RunCommand& command);
+
+/// `femsph resume`: everything else is in the checkpoint.
+struct ResumeCommand {
+  std::string folder;
+  std::optional<std::string> checkpoint;
+  std::optional<int> threads;
+  bool any_program = false;  ///< accept a checkpoint of another build
+};
+int resume_command(const ResumeCommand& command);
 
 /// `femsph point`: one material point along a path of strains.
 struct PointCommand {
@@ -50,7 +59,7 @@ struct PointCommand {
 };
 int point_command(const PointCommand& command);
 
-/// `femsph advise`: which method, how fine?
+/// `femsph advise`: advice on a method and a spacing.
 struct AdviseCommand {
   std::string scene;
   std::string error, within;  ///< one of them: "1%" or "0.01"; "10 min"
@@ -59,12 +68,12 @@ struct AdviseCommand {
   std::vector<std::string> methods;  ///< empty: the four elements, classic (share) and corrected SPH
   std::string budget = "30 s";
   double safety = 0.98;
-  bool run = false;  ///< make the advised run too
+  bool run = false;  ///< also make the advised run
 };
 /// Returns the exit code: 0, or 3 when there is no advice. Throws BadCommand.
 int advise_command(const AdviseCommand& command);
 
-/// A command line that cannot be followed, with one sentence.
+/// A mistake in the command line, in one sentence.
 class BadCommand : public std::runtime_error {
  public:
   using std::runtime_error::runtime_error;
@@ -72,11 +81,11 @@ class BadCommand : public std::runtime_error {
 
 inline constexpr int most_threads = 512, most_divisions = 1'000'000;
 
-/// The method and resolution that a command line asks for. Throw BadCommand, with "did you mean": for numbers
-/// out of their range, and for options that would do nothing.
+/// The method and resolution of a command line. Throw BadCommand, with "did you mean", for unknown words, for
+/// numbers out of their range and for options that would do nothing.
 Method method_of(const RunCommand& command);
 Resolution resolution_of(const RunCommand& command, const Scene& scene, const Method& method);
-/// The number, if it is in its range. Throw BadCommand.
+/// Return the number, or throw BadCommand if it is out of its range.
 int checked_threads(int threads);
 double checked_safety(double safety);
 

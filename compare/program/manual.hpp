@@ -1,6 +1,6 @@
 #pragma once
-// The manual page and the completion of a shell, from the tree of subcommands and options that the command
-// line is read by: what is not there cannot be in them, and what is there cannot be missing.
+// The manual page and the completion of a shell, written from the same subcommands and options that read the
+// command line, so that they cannot differ from it.
 
 #include <map>
 #include <string>

@@ -1,4 +1,4 @@
-// `femsph study`: finds a study, runs it, writes what it gives.
+// `femsph study`: finds a study, runs it and writes its tables, data and figures.
 
 #include <fmt/format.h>
 
@@ -30,7 +30,7 @@ void print(const std::string& line) {
 
 void complain(const std::string& line) { fmt::print(stderr, "femsph: {}\n", line); }
 
-// A study.toml, a folder that holds one, or the name of a study.
+/// The study.toml that the command means: given itself, by its folder, or by the name of a study.
 std::string study_file(const StudyCommand& command) {
   if (fs::is_regular_file(command.name)) return command.name;
   if (fs::is_regular_file(fs::path(command.name) / "study.toml"))
@@ -56,7 +56,7 @@ std::string table_for_people(const Study& study, const std::vector<Row>& rows) {
                               : markdown(judge(study.bounds, study.expectations, rows));
 }
 
-// A study with bounds shows verdicts; what other studies show is its details.csv.
+// A study with bounds writes verdicts into table.csv, and the usual table into details.csv.
 void write_tables(const Study& study, const std::vector<Row>& rows, const fs::path& folder) {
   const auto orders = orders_of(rows);
   const bool verdicts = !study.bounds.empty();
@@ -94,8 +94,8 @@ int write_series(const Study& study, const StudyOutcome& outcome, const fs::path
   return failures;
 }
 
-/// price.csv and what belongs to it. Returns the text for the README: with prices it stands for the long
-/// table of runs.
+/// Writes price.csv and its data. Returns the text for the README: with prices, their tables instead of the
+/// long table of runs.
 std::string write_prices(const Study& study, const std::vector<Row>& rows, const fs::path& folder,
                          const std::string& table) {
   if (study.prices.empty()) return table;
@@ -129,7 +129,7 @@ int write_claims(const Study& study, const std::vector<Row>& rows, bool quick, c
   return unknown;
 }
 
-// Rows that are neither stable nor fail as expected.
+// Counts the rows that are neither stable nor fail as expected.
 int complain_of_failed(const Study& study, const std::vector<Row>& rows) {
   int failed = 0;
   for (const JudgedRow& judged : judge(study.bounds, study.expectations, rows)) {
@@ -152,7 +152,7 @@ void update_readme(const Study& study, const std::string& table) {
   }
 }
 
-// Runs a study and those it collects; appends the rows and counts what is missing.
+// Runs a study and those it collects, appends their rows and returns the number of failures.
 int run_one(const Study& study, const StudyCommand& command, const Engine& engine, std::vector<Row>& rows) {
   const fs::path top = fs::path(command.out) / study.name;
   make_folder(study.series.empty() && study.prices.empty() ? top : top / "data");

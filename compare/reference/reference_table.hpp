@@ -1,6 +1,6 @@
 #pragma once
-// A history that another program or another solution has given, as a table beside the study: "time [s],NAME
-// [unit]" above, numbers below.
+// A history to compare with, of another program or of another solution: a CSV file beside the study, with the
+// header "time [s],NAME [unit]".
 
 #include <string>
 #include <vector>
@@ -11,7 +11,8 @@ struct ReferenceTable {
   std::vector<double> at, value;  ///< s, rising; SI
 };
 
-/// `si` is the unit of what it is compared with. Throws std::runtime_error with one sentence.
+/// `si` is the SI unit of what it is compared with. Throws std::runtime_error with one sentence, FILE:LINE in
+/// front.
 ReferenceTable read_reference_table(const std::string& file, const std::string& si);
 
 }  // namespace femsph::compare

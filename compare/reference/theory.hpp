@@ -1,7 +1,7 @@
 #pragma once
-// Exact and beam-theory values by name, evaluated from a scene. All in SI, with the signs of the scene: a
-// downward load gives a negative deflection. Histories are those of a load that acts in full from the start,
-// without damping.
+// Exact values and values of beam theory by their names, computed from a scene. In SI, with the signs of the
+// scene: a downward load gives a negative deflection. Histories are for a load that acts in full from the
+// start, without damping.
 
 #include <string>
 #include <vector>
@@ -10,7 +10,7 @@
 
 namespace femsph::compare {
 
-/// All of them, bars first.
+/// In the order of lists.
 const std::vector<Theory>& theories();
 std::vector<std::string> theory_names();
 /// Throws std::runtime_error with "did you mean".

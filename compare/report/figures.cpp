@@ -24,7 +24,7 @@ std::string gnuplot_text(const std::string& text) {
   return quoted + "'";
 }
 
-// Runs gnuplot without a shell, its words going to a file. Returns its exit status; 127 if there is no
+// Runs gnuplot without a shell; its output goes to a file. Returns its exit status; 127 if there is no
 // gnuplot.
 int run_gnuplot(const std::string& settings, const std::string& script, const std::string& log) {
   std::vector<std::string> words = {"gnuplot", "-e", settings, script};

@@ -1,5 +1,5 @@
 #pragma once
-// Figures by gnuplot: studies say how they look in plot.gp; studies/style.gp is common to all.
+// Figures by gnuplot: plot.gp of a study draws them, in the style of studies/style.gp.
 
 #include <string>
 

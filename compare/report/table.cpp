@@ -13,8 +13,6 @@
 namespace femsph::compare {
 namespace {
 
-std::string cell(const std::optional<double>& value) { return value ? csv_number(*value) : ""; }
-
 struct RowColumn {
   const char* name;
   std::function<std::string(const Row&)> cell;
@@ -25,7 +23,7 @@ RowColumn words(const char* name, std::string Row::*member) {
 }
 
 RowColumn number(const char* name, std::optional<double> Row::*member) {
-  return {name, [member](const Row& row) { return cell(row.*member); }};
+  return {name, [member](const Row& row) { return csv_number(row.*member); }};
 }
 
 const std::vector<RowColumn>& row_columns() {
@@ -89,7 +87,7 @@ Order order_of(const std::vector<const Row*>& rungs, Reference reference) {
   order.pairwise = pairwise_orders(errors);
   order.observed = fitted_order(errors);
   const bool a_distance = !first.theory &&
-                          !first.limit;  // l2: its value is an error, whose limit is no result
+                          !first.limit;  // l2: the value is an error itself, whose limit is no result
   if (const auto extrapolation = richardson(values);
       extrapolation && !a_distance && is_convergence(extrapolation->order))
     order.extrapolated = extrapolation->limit;
@@ -140,6 +138,14 @@ std::string csv_cell(const std::string& text) {
   return quoted + "\"";
 }
 
+std::string csv_number(const std::optional<double>& value) { return value ? csv_number(*value) : ""; }
+
+std::string csv_line(const std::vector<std::string>& cells) {
+  std::string text = csv_cell(cells.at(0));
+  for (std::size_t i = 1; i < cells.size(); ++i) text += "," + csv_cell(cells[i]);
+  return text + "\r\n";
+}
+
 std::string csv(const std::vector<Row>& rows) {
   std::string text;
   for (const RowColumn& column : row_columns()) text += (text.empty() ? "" : ",") + std::string(column.name);
@@ -159,10 +165,9 @@ std::string csv(const std::vector<Order>& orders) {
   std::string text =
       "study,method,quantity,reference,spacings_mm,observed_order,pairwise_orders,extrapolated,unit\r\n";
   for (const Order& order : orders)
-    text += fmt::format(
-        "{},{},{},{},{},{},{},{},{}\r\n", csv_cell(order.study), csv_cell(order.method),
-        csv_cell(order.quantity), order.reference, list(order.spacings_mm), cell(order.observed),
-        list(order.pairwise), cell(order.extrapolated), csv_cell(order.unit));
+    text += csv_line(
+        {order.study, order.method, order.quantity, order.reference, list(order.spacings_mm),
+         csv_number(order.observed), list(order.pairwise), csv_number(order.extrapolated), order.unit});
   return text;
 }
 

@@ -1,5 +1,5 @@
 #pragma once
-// The tidy table of a study: one row for each run and quantity; and the orders its ladders show.
+// The table of a study, one row for each run and quantity; and the observed orders of its ladders.
 
 #include <optional>
 #include <string>
@@ -7,8 +7,8 @@
 
 namespace femsph::compare {
 
-/// Empty optionals are unknown: empty cells. Value, theory, limit and paper are in `unit`; errors are in
-/// percent of the reference, positive when the value is larger in magnitude.
+/// An empty optional is an unknown number, an empty cell. Value, theory, limit and paper are in `unit`;
+/// errors are in percent of the reference, positive when the value is larger in magnitude.
 struct Row {
   std::string study, case_name, method;
   std::optional<double> spacing_mm, cells_over_height;
@@ -18,22 +18,22 @@ struct Row {
   std::optional<double> theory, error_percent, limit, error_vs_limit_percent, paper, paper_error_percent;
   std::optional<double> steps, dt_s, cpu_s, wall_s, threads, points, ns_per_unit_step,
       energy_imbalance_percent, momentum_error;
-  /// Unknowns, held memory; CPU of the whole run with its set-up: median, least and most of `repeats` runs
-  /// (cpu_s: the march alone, median).
+  /// Unknowns; memory held; CPU of the whole run with its set-up: median, smallest and largest of `repeats`
+  /// runs (cpu_s: median of the time march alone).
   std::optional<double> dof, memory_mb, total_cpu_s, total_cpu_min_s, total_cpu_max_s, repeats;
   std::optional<bool> settled;
   std::string failure;  ///< why there is no value
   std::optional<double> energy_drift, momentum_drift, angular_momentum_drift,
-      hourglass_share;                        ///< shares of 1; of studies with bounds
-  int ladder = 0;                             ///< rows of one ladder of spacings share it; not written
-  std::string scene;                          ///< not written
+      hourglass_share;  ///< fractions; only of studies with bounds
+  int ladder = 0;       ///< number of the ladder (series of spacings) that the row belongs to; not written
+  std::string scene;    ///< not written
   std::optional<double> units;                ///< particles or elements; not written
   std::optional<double> limit_known_percent;  ///< how well an extrapolated limit is known; not written
   std::string
       limit_doubt;  ///< why there is no limit to compare with, although the study asks for one; in table.md
 };
 
-/// What one ladder (study, method, quantity) shows against one reference.
+/// The convergence of one ladder (study, method, quantity) against one reference.
 struct Order {
   std::string study, method, quantity, reference;  ///< reference: "theory" or "limit"
   std::vector<double> spacings_mm;                 ///< coarse to fine
@@ -43,7 +43,7 @@ struct Order {
   std::string unit;
 };
 
-/// What a row is measured against; `value` is the row as it stands.
+/// What a row is measured against. `value`: nothing, its value counts as the error.
 enum class Reference { theory, limit, value };
 /// The error of a row against a reference, percent; nothing where it is not a finite number.
 std::optional<double> error_of(const Row& row, Reference reference);
@@ -59,6 +59,9 @@ std::string csv(const std::vector<Order>& orders);
 /// One cell by RFC 4180: quoted where it must be.
 std::string csv_cell(const std::string& text);
 std::string csv_number(double value);
+std::string csv_number(const std::optional<double>& value);
+/// Cells, quoted where they must be, with the end of the line.
+std::string csv_line(const std::vector<std::string>& cells);
 
 /// For people: one aligned table for each quantity, rounded; then the orders and the failures.
 std::string markdown(const std::vector<Row>& rows, const std::vector<Order>& orders);

@@ -16,9 +16,9 @@ constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr double most_units =
     2e8;  // offsets of the FEM kernels are 32-bit: three components of at most 5e8 slots
 
-/// Peak bytes of a unit: the growth of the program's peak memory (set-up and one field snapshot), measured
-/// with elastic bodies of about 1.4e5 units on a regular lattice or mesh; what plasticity and particles out
-/// of line add is counted from the arrays, not measured.
+/// Peak bytes for each unit: the growth of the program's peak memory (set-up and one field snapshot),
+/// measured with elastic bodies of about 1.4e5 units on a regular lattice or mesh. What plasticity and
+/// irregular particles add is counted from the arrays, not measured.
 double bytes_of_unit(const Scene& scene, const Body& body, const Method& method) {
   const int dim = scene.dim(), symmetric = dim * (dim + 1) / 2;
   const bool plastic = scene.material_of(body).yields();
@@ -33,7 +33,7 @@ double bytes_of_unit(const Scene& scene, const Body& body, const Method& method)
   const bool corrected = options.formulation == sph::Formulation::corrected,
              scattered = options.jitter > 0 || sph::is_fitted(*body.shape, options);
   const double rows = scattered ? (dim == 2 ? 600 : 2200) * std::pow(options.smoothing / 1.2, dim) : 0.0;
-  const double projected = corrected && options.projection ? 2 : 1;  // the adjoint has rows of its own
+  const double projected = corrected && options.projection ? 2 : 1;  // the rows of the adjoint are stored too
   const bool mean = corrected && std::visit(
                                      [&](const auto& law) {
                                        return sph::wants_mean_dilatation(
@@ -45,7 +45,7 @@ double bytes_of_unit(const Scene& scene, const Body& body, const Method& method)
   return (dim == 2 ? 1000 : 1200) + projected * rows + averaged + remembered;
 }
 
-/// Cells or particles of a body: those of its bounding box, in proportion to its volume.
+/// Cells or particles of a body: those of its bounding box times its share of the box's volume.
 double units_of(const Shape& shape, const Method& method, const Resolution& resolution) {
   if (method.is_fem() && shape.cells()) return double(shape.cells()->cells.size());
   double box = 1, count = 1;
@@ -104,7 +104,7 @@ double available_memory() {
 
 void refuse_excess(const Scene& scene, const Method& method, const Resolution& resolution, double available) {
   if (!(resolution.spacing > 0) && resolution.divisions[0] <= 0)
-    return;  // said where it matters, or the mesh is there already
+    return;  // no resolution: reported elsewhere, or the cells come from a mesh file
   const Size size = estimated_size(scene, method, resolution);
   const double over = std::max(size.bytes / available, size.units / most_units);
   if (!(over > 1)) return;

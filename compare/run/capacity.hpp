@@ -1,5 +1,5 @@
 #pragma once
-// Will it fit? Asked before any lattice or mesh is made.
+// The memory that a run needs, estimated before any particles or mesh are made.
 
 #include "compare/run/run.hpp"
 
@@ -10,16 +10,15 @@ struct Size {
   double bytes = 0;  ///< at the peak: while particles or mesh are made, or fields are written
 };
 
-/// From the volumes of the shapes and the spacing alone: an estimate, made to be of the right size, not
-/// exact.
+/// From the volumes of the shapes and the spacing alone: right in its order of magnitude, not exact.
 Size estimated_size(const Scene& scene, const Method& method, const Resolution& resolution);
 
-/// Bytes that this process could still get: of the machine (/proc/meminfo) and of the control group that it
-/// runs in. Infinity if nothing says.
+/// Bytes that this process can still allocate, by the machine (/proc/meminfo) and the control group that it
+/// runs in. Infinity if neither is known.
 double available_memory();
 
-/// Throws std::runtime_error with the estimate and the finest spacing that fits, if that is more than
-/// `available` bytes or than indices can count.
+/// Throws std::runtime_error with the estimate and the finest spacing that fits, if the run needs more than
+/// `available` bytes or more units than indices can count.
 void refuse_excess(const Scene& scene, const Method& method, const Resolution& resolution,
                    double available = available_memory());
 

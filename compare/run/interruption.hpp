@@ -1,12 +1,12 @@
 #pragma once
-// SIGINT and SIGTERM during a run: a flag that the march's loop looks at between two steps.
+// SIGINT and SIGTERM during a run set a flag, which the time loop reads between two steps.
 
 #include <stdexcept>
 #include <string>
 
 namespace femsph::compare {
 
-/// A run that left at the user's wish, with all that it needs to go on in a checkpoint.
+/// The user has interrupted the run; its checkpoint holds all that is needed to continue.
 class Interrupted : public std::runtime_error {
  public:
   using std::runtime_error::runtime_error;

@@ -12,7 +12,7 @@ std::string price_text(const Price& p, const std::string& unit) {
       "and {}; {:.3g} MB held, peak memory {:.3g} MB\n",
       "price", p.cpu, p.total_cpu, p.wall, p.threads, p.threads == 1 ? "" : "s", p.steps, p.nanoseconds(),
       unit, double(p.bytes) / 1e6, double(peak_memory()) / 1e6);
-  // Sampling, fields and contact are parts of the march; what else was timed came before it.
+  // Set-up and the critical step come before the march; the other phases are parts of it.
   double march = p.wall;
   std::string phases;
   for (const auto& [phase, seconds] : p.phases) {

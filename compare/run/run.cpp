@@ -88,11 +88,12 @@ std::vector<std::pair<std::string, std::string>> derived_values(const March& mar
                                  100 * (1 - march.critical_step() / march.critical_step_without_contact())));
   out.emplace_back("critical step", fmt::format("{:.6g} s", march.critical_step()));
   out.emplace_back(
-      "step", march.step_changes() > 0
-                  ? fmt::format("{:.6g} s at first, {:.6g} s at least, {:.6g} s at last: changed {} times",
-                                march.price().dt, march.smallest_step(), march.dt(), march.step_changes())
-                  : fmt::format("{:.6g} s{}", march.dt(),
-                                march.follows_deformation() ? ", less if the deformation asks for it" : ""));
+      "step",
+      march.step_changes() > 0
+          ? fmt::format("{:.6g} s at first, {:.6g} s at least, {:.6g} s at last: changed {} times",
+                        march.price().dt, march.smallest_step(), march.dt(), march.step_changes())
+          : fmt::format("{:.6g} s{}", march.dt(),
+                        march.follows_deformation() ? ", smaller if the deformation requires it" : ""));
   out.emplace_back(
       "planned steps", fmt::format("{}{}", march.planned_steps(),
                                    march.scene().settling ? " at most, fewer once settled" : ""));
@@ -129,7 +130,7 @@ std::string outcome_of(const March& march) {
 
 namespace {
 
-/// What a march has, at its end or where it stopped.
+/// The results of a march, at its end or where it stopped.
 RunResult result_of(const March& march, const Recorder& recorder,
                     const std::optional<Conservation>& conservation) {
   RunResult r;
@@ -220,8 +221,7 @@ RunResult run_scene(const Scene& scene, const Method& method, const Resolution& 
   r.profiles = recorder.profiles(march);
   r.momentum_error = march.force_imbalance();
   r.moment_error = march.moment_imbalance();
-  // Of several bodies the coarsest counts: that with the widest spacing, and of those the one with the fewest
-  // cells.
+  // Of several bodies the coarsest counts: the widest spacing, and among equal ones the fewest cells.
   for (const MovingBody& body : march.bodies()) {
     const Shape& shape = *scene.bodies[body.index].shape;
     const double spacing = shape.cells() && method.is_fem()

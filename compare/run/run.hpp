@@ -1,5 +1,5 @@
 #pragma once
-// One run: a scene, a method, a resolution -> histories, profiles, energies and a price.
+// One run: from a scene, a method and a resolution to histories, profiles, energies and its cost.
 
 #include <array>
 #include <functional>
@@ -20,12 +20,12 @@
 
 namespace femsph::compare {
 
-/// When a run writes DIR/checkpoint.h5: always when it is interrupted, and every so often if asked.
+/// When a run writes DIR/checkpoint.h5: when it is interrupted, and at these intervals.
 struct CheckpointOptions {
   long every_steps = 0;                    ///< 0: not by steps
   double every_seconds = 0;                ///< of the wall clock; 0: not by time
   std::vector<std::string> arguments;      ///< of the command line, for resume
-  std::shared_ptr<const Checkpoint> from;  ///< take this one up
+  std::shared_ptr<const Checkpoint> from;  ///< continue from this one
 };
 
 /// The spacing of particles in a shape. Throws Refusal when divisions give several.
@@ -39,10 +39,10 @@ struct RunOptions {
   std::string label;                            ///< of the progress line
   std::string command;                          ///< for the record
   std::set<std::string> scalars =
-      {};  ///< which of RunResult::scalars to fill: each costs a look at the run that others do not pay
+      {};  ///< which of RunResult::scalars to compute, as some take extra work in every sample
   std::function<void(const std::string&)> warn =
       {};                        ///< called with each warning: before the first step, or once it is known
-  RunResult* partial = nullptr;  ///< where a run that stops with a MotionError leaves what it has until then
+  RunResult* partial = nullptr;  ///< a run that stops with a MotionError leaves its results until then here
 };
 
 /// Throws InputError, MotionError, Interrupted (compare/run/interruption.hpp) or std::runtime_error.
@@ -52,14 +52,14 @@ RunResult run_scene(const Scene& scene, const Method& method, const Resolution& 
 /// What a run derives from its scene, for people: particles or elements, step, memory, effects.
 std::vector<std::pair<std::string, std::string>> derived_values(const March& march);
 
-/// Those of the march, and whether its forces have added up.
+/// The warnings of the time march, and one if forces are not in balance.
 std::vector<std::string> warnings_of(const March& march, const Recorder& recorder);
 
 /// "settled", "not settled" or "finished".
 std::string outcome_of(const March& march);
 
-/// What a run has cost, for people, in two lines: CPU and wall time, steps, time a step and unit
-/// ("particle"), memory; and its phases.
+/// The cost of a run in two lines: CPU and wall time, steps, time for each step and unit ("particle"),
+/// memory; and its phases.
 std::string price_text(const Price& price, const std::string& unit);
 
 /// The discretization alone (for `check` and the bench).

@@ -17,9 +17,9 @@ std::string utc_now() {
   return text;
 }
 
-/// What an earlier run has left in the folder, so that no results of two runs stand beside each other: names
-/// that this program gives, of which those that others may give too go only beside a record of ours. Never
-/// the scene that is being run.
+/// Removes the files of an earlier run, so that the folder never holds results of two runs. Files whose names
+/// other programs may also use are removed only if a record of this program is there. The scene that is being
+/// run is never removed.
 void remove_earlier_run(const std::string& folder, const std::string& scene) {
   namespace fs = std::filesystem;
   remove_earlier_fields(folder);
@@ -118,7 +118,7 @@ void RunOutput::state(Archive& archive) {
   archive.below("price", [&] { price_state(archive); });
 }
 
-/// What the run has cost until now. Of a run taken up, the set-up counts once for each time that it was made.
+/// The cost of the run until now. After a resume, the set-up counts each time that it was made.
 void RunOutput::price_state(Archive& archive) {
   Price& price = march_.price();
   archive("cpu", price.cpu);
@@ -145,7 +145,7 @@ void RunOutput::save() {
   } catch (const std::runtime_error& error) {
     if (saved_progress_.empty()) throw;
     throw std::runtime_error(fmt::format(
-        "{}; the checkpoint of {} is whole: make room, then `femsph resume {}` goes on from there",
+        "{}; the checkpoint of {} is complete: free some space, then `femsph resume {}` continues from there",
         error.what(), saved_progress_, folder_));
   }
   saved_at_ = wall_seconds();
@@ -161,7 +161,7 @@ void RunOutput::between() {
   save();
   if (leave)
     throw Interrupted(
-        fmt::format("interrupted at {}; `femsph resume {}` goes on from there", saved_progress_, folder_));
+        fmt::format("interrupted at {}; `femsph resume {}` continues from there", saved_progress_, folder_));
 }
 
 void RunOutput::finish(const std::string& outcome, bool whole) {

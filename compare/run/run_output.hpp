@@ -1,6 +1,6 @@
 #pragma once
-// What a run leaves in its folder: fields and checkpoints as it goes, histories and the record at its end,
-// however it ends.
+// The files of a run: fields and checkpoints while it runs, histories and the record at its end, however it
+// ends.
 
 #include <memory>
 #include <string>
@@ -18,32 +18,32 @@ namespace femsph::compare {
 std::string checkpoint_file(const std::string& folder);
 /// DIR/record.toml is there, and a run has written it.
 bool has_record(const std::string& folder);
-/// Of the cells that the scene's bodies bring along.
+/// Of the cells of all bodies that come from mesh files or shapes with cells.
 std::uint64_t checksum_of_meshes(const Scene& scene);
 
 class RunOutput {
  public:
-  /// Takes up options.checkpoint->from, if there is one: then march and recorder are where it left them. All
-  /// but `options` must outlive this. Of a new run, removes what an earlier one has left in the folder.
-  /// `start_cpu`: the process's clock when the run began.
+  /// Restores march and recorder from options.checkpoint->from, if there is one; else removes the files of an
+  /// earlier run from the folder. All but `options` must outlive this. `start_cpu`: CPU time of the process
+  /// when the run began, s.
   RunOutput(const Method& method, const RunOptions& options, March& march, Recorder& recorder,
             double start_cpu);
 
-  /// CPU seconds that the run had cost, set-up included, before it was taken up.
+  /// CPU seconds of the run, set-up included, before the checkpoint that it continues from.
   double cpu_before() const { return cpu_before_; }
 
   void snapshot();
-  /// Between two steps: writes a checkpoint when one is due. Throws Interrupted after that of an
-  /// interruption.
+  /// Between two steps: writes a checkpoint when one is due. After an interruption writes one and throws
+  /// Interrupted.
   void between();
-  /// Histories and the record; `whole`: with what holds only for a run that came to its end, and the
-  /// checkpoint has served its time.
+  /// Writes histories and the record; `whole`: the run came to its end, so also profiles and energies, and
+  /// the checkpoint is removed.
   void finish(const std::string& outcome, bool whole);
-  /// The histories and the record of a run that something else ended, as far as they can be written: its
-  /// cause is what will be told.
+  /// The same of a run that an exception ended, as far as they can be written: errors in writing must not
+  /// hide that exception.
   void try_to_finish(const std::string& outcome) noexcept;
-  /// After a watch has stopped the march: the fields of the last state found sound. Returns a sentence that
-  /// says where they are.
+  /// After a watch has stopped the march: writes the fields of the last state that passed all watches.
+  /// Returns a sentence that says where they are.
   std::string save_last_good();
 
  private:
@@ -63,7 +63,7 @@ class RunOutput {
   Interruption interruption_;
   double start_cpu_, cpu_before_ = 0;  ///< s
   double saved_at_;                    ///< wall seconds
-  std::string saved_progress_;         ///< of the last whole checkpoint; empty: none
+  std::string saved_progress_;         ///< of the last complete checkpoint; empty: none
 };
 
 }  // namespace femsph::compare

@@ -37,8 +37,8 @@ std::vector<std::string> as_text(const std::vector<double>& x) {
   return text;
 }
 
-// Errors over the spacing, coarse to fine, or over the case, in the order of the series or of the runs: one
-// column a method.
+// Errors over the spacing, coarse to fine, or over the cases, in the order of the series or of the runs: one
+// column for each method.
 std::string error_csv(const SeriesSpec& series, const StudyOutcome& outcome) {
   const bool over_cases = series.kind == SeriesSpec::Kind::cases;
   std::vector<const Row*> rows;
@@ -86,7 +86,7 @@ std::vector<const FinishedRun*> shown_runs(const SeriesSpec& series, const Study
   return shown;
 }
 
-// By the series' own choice, so that a column keeps its name when some of its runs are missing.
+// By what the series selects, so that a column keeps its name when some of its runs are missing.
 std::string curve_name(const SeriesSpec& series, const PlannedRun& run) {
   if (series.cases.size() == 1) return run.label;
   return series.methods.size() == 1 ? run.case_name : run.label + " " + run.case_name;

@@ -5,10 +5,9 @@
 
 namespace femsph::compare {
 
-/// CSV of one series: the first column is what the figure has on its x axis (spacing_mm, case, time_UNIT,
-/// distance_mm), then one column for each curve, named by its method, its case, or both when several methods
-/// and several cases are shown; last "theory". Cells that a run does not reach (it settled earlier, say) are
-/// empty.
+/// CSV of one series. The first column is the abscissa (spacing_mm, case, time_UNIT, distance_mm); then comes
+/// one column for each curve, named by its method, its case, or both where several of each are shown;
+/// "theory" is last. Cells beyond the end of a run (which settled earlier, say) are empty.
 std::string series_csv(const SeriesSpec& series, const Study& study, const StudyOutcome& outcome);
 
 }  // namespace femsph::compare

@@ -7,6 +7,7 @@
 
 #include "compare/measure/errors.hpp"
 #include "compare/measure/ladder.hpp"
+#include "compare/measure/limit_value.hpp"
 #include "compare/measure/reduce.hpp"
 
 namespace femsph::compare {
@@ -17,9 +18,9 @@ const LimitSpec* spec_of(const Study& study, const std::string& scene) {
   return study.limit ? &*study.limit : nullptr;
 }
 
-/// Divisions and degree of a limit's coarser forms, coarse first: a quarter and half the cells along every
-/// axis that has four or more; without such an axis two degrees less and one. None: nothing coarser to look
-/// at.
+/// Divisions and degree of the coarser forms of a limit, coarse first: a quarter and half of the cells along
+/// every axis that has four or more; without such an axis two degrees less and one. Empty: there is nothing
+/// coarser.
 struct Coarser {
   std::array<int, 3> divisions;
   int degree;
@@ -43,8 +44,8 @@ KnownLimit known_limit(const Scene& scene, const LimitSpec& spec, const Engine& 
   if (priced && spec.degree > 1) known.coarser = engine.limit(scene, spec.divisions, spec.degree - 1);
   for (const Coarser& coarser : coarser_of(spec)) {
     known.ladder.push_back(engine.limit(scene, coarser.divisions, coarser.degree));
-    // By degrees a singular point of exponent lambda leaves p^(-4 lambda), a logarithm ln(p/(p-1)): 0.26 and
-    // 0.71 from degrees 2, 3, 4.
+    // With rising degree p the error at a singular point of exponent lambda falls as p^(-4 lambda), and a
+    // logarithm changes by ln(p/(p-1)): over degrees 2, 3, 4 the ratios of changes are 0.26 and 0.71.
     known.slowest = coarser.degree == spec.degree ? 0.7 : 0.5;
   }
   return known;

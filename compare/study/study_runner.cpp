@@ -67,14 +67,14 @@ void add_paper(const Study& study, Row& row) {
   }
 }
 
-/// A limit that is none: nothing is compared with it.
+/// Removes a doubtful limit: nothing is compared with it.
 void forget_limit(const QuantitySpec& quantity, Row& row) {
   row.limit.reset(), row.error_vs_limit_percent.reset(), row.limit_known_percent.reset();
   if (quantity.reduce == Reduce::l2 && !row.error_percent)
     row.value.reset(), row.failure = "no limit: " + row.limit_doubt;
 }
 
-// The rows of one run; a quantity that cannot be taken is a row with the reason.
+// The rows of one run; a quantity that cannot be computed is a row with the reason.
 std::vector<Row> rows_of(const Study& study, const PlannedRun& run, const RunResult* result,
                          const RunResult& partial, const std::string& failure, const StaticLimits& limits) {
   const Scene& scene = study.scenes.at(run.scene);
@@ -102,7 +102,7 @@ std::vector<Row> rows_of(const Study& study, const PlannedRun& run, const RunRes
         if (!row.limit_doubt.empty()) forget_limit(quantity, row);
         if (row.settled == false)
           row.error_percent =
-              row.error_vs_limit_percent = {};  // how far a body was on its way is no error of a method
+              row.error_vs_limit_percent = {};  // a state before settling shows no error of the method
       } catch (const std::exception& e) {
         row.failure = e.what();
       }
@@ -146,7 +146,7 @@ double median(std::vector<double> values) {
   return values.size() % 2 ? values[middle] : (values[middle - 1] + values[middle]) / 2;
 }
 
-/// What the runs so far have cost, into the rows of a run.
+/// CPU times of all repetitions of a run, s.
 struct Costs {
   std::vector<double> march, total;
 };
@@ -167,8 +167,8 @@ bool same_numbers(const RunResult& a, const RunResult& b) {
   return true;
 }
 
-/// Every run again, for its time alone. All runs once, then all again: what else the machine does then falls
-/// on all methods alike.
+/// Repeats every run, for its time alone. A round makes all runs one after another, so that other load on the
+/// machine affects all methods alike.
 void repeat_runs(const Study& study, const Engine& engine, const StudyOptions& options,
                  StudyOutcome& outcome) {
   std::vector<Costs> costs;
@@ -204,7 +204,7 @@ void make_run(const Study& study, const PlannedRun& run, const Engine& engine, c
   RunOptions run_options = options_of(study, run, options);
   RunResult partial;
   run_options.partial = &partial;
-  run_options.warn = [&](const std::string& text) {  // once, however many runs say it
+  run_options.warn = [&](const std::string& text) {  // once, however many runs give it
     if (outcome.warnings.insert(text).second && options.log) options.log("warning: " + text);
   };
   std::optional<RunResult> result;

@@ -1,5 +1,5 @@
 #pragma once
-// Makes the runs of a study and takes its numbers from them.
+// Makes the runs of a study and computes the rows of its table.
 
 #include <functional>
 #include <set>
@@ -9,7 +9,7 @@
 
 namespace femsph::compare {
 
-/// What a study computes with; tests put something else in its place.
+/// What a study computes with. Tests put another in its place.
 struct Engine {
   std::function<RunResult(const Scene&, const Method&, const Resolution&, const RunOptions&)> run;
   std::function<fem::StaticLimit(const Scene&, const std::array<int, 3>& divisions, int degree)> limit;
@@ -32,10 +32,10 @@ struct StudyOptions {
   bool quick = false;
   std::string command;                                 ///< for the records
   std::function<void(const std::string& line)> log;    ///< one line for each run
-  std::function<void(const StudyOutcome&)> after_run;  ///< so that what is there is kept, whatever comes
+  std::function<void(const StudyOutcome&)> after_run;  ///< to save the rows so far
 };
 
-/// One run after the other. A run that fails becomes rows with a reason, and the study goes on.
+/// One run after the other. A run that fails gives rows with a reason, and the study continues.
 StudyOutcome run_study(const Study& study, const Engine& engine, const StudyOptions& options);
 
 }  // namespace femsph::compare

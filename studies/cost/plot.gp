@@ -1,7 +1,7 @@
 load style
 scenes = "bar cantilever solid wave swing plastic"
 plain = "fem-full fem-sri fem-one-point fem-assumed-strain sph-classic-share_h=1d sph-corrected_h=1d sph-corrected-own-volume_h=1d"
-supports = \
+smoothing = \
     "sph-classic-share_h=1d sph-classic-share_h=1.2d sph-classic-share_h=1.4d sph-corrected_h=1d sph-corrected_h=1.2d sph-corrected_h=1.4d"
 
 # Methods by their names in tables; "_" stands for the space in a list of words.
@@ -32,8 +32,8 @@ set key outside bottom center horizontal maxcols 2 width -9 samplen 3
 
 do for [s in scenes] {
   if (has("rungs-".s)) {
-    do for [kind in "methods supports"] {
-      list = kind eq "methods" ? plain : supports
+    do for [kind in "methods smoothing"] {
+      list = kind eq "methods" ? plain : smoothing
       shown = ""
       do for [m in list] { if (some(s, m)) { shown = shown." ".m } }
       index_of(m) = int(sum [i = 1:words(list)] (word(list, i) eq m ? i : 0))

@@ -134,7 +134,7 @@ TEST_F(Advise, OptionsAreReadWithTheirUnits) {
     }
     return std::string();
   };
-  EXPECT_THAT(refused([](auto& b) { b.error = "1%"; }), HasSubstr("either --error"));
+  EXPECT_THAT(refused([](auto& b) { b.error = "1%"; }), HasSubstr("such as --error 1%, or a time"));
   EXPECT_THAT(refused([](auto& b) { b.within = "", b.error = "one"; }), HasSubstr("0.01 or 1%"));
   EXPECT_THAT(refused([](auto& b) { b.within = "", b.error = "1 N"; }), HasSubstr("0.01 or 1%"));
   EXPECT_THAT(refused([](auto& b) { b.within = "", b.error = "0"; }), HasSubstr("0.01 or 1%"));

@@ -233,7 +233,7 @@ TEST_F(Prices, SlipsInPrices) {
   EXPECT_THAT(message("quantity = \"tip\"", "quantity = \"tpi\""), HasSubstr("did you mean \"tip\"?"));
   EXPECT_THAT(
       message("base = \"fem-full\"", "base = \"fem-fully\""), HasSubstr("did you mean \"fem-full\"?"));
-  EXPECT_THAT(message("errors = [2, 0.5]", "errors = [2, -1]"), HasSubstr("no number above 0"));
+  EXPECT_THAT(message("errors = [2, 0.5]", "errors = [2, -1]"), HasSubstr("must hold numbers above 0"));
   EXPECT_THAT(message("errors = [2, 0.5]", "reference = \"theory\""), HasSubstr("has no theory"));
   EXPECT_THAT(message("name = \"beam\"", "name = \"a beam\""), HasSubstr("expected a name of letters"));
   EXPECT_THAT(message("ladder = \"limit\"", "ladder = \"limt\""), HasSubstr("did you mean \"limit\"?"));

@@ -91,7 +91,7 @@ TEST_F(StudySweep, BoundsAndExpectationsOfSomeRow) {
   EXPECT_THAT(faults(only + "[[bounds]]\nmethods = [\"fem-sri\"]\nquantity = \"tip\"\nlow = 0\n"),
               HasSubstr("no run gives these cases, methods and quantity together"));
   EXPECT_THAT(faults(tip("") + "[[bounds]]\nerror_percent = 1\n"),
-              HasSubstr("no quantity of this bound has a theory or a reference to err from"));
+              HasSubstr("no quantity of this bound has a theory or a reference, which an error needs"));
 }
 
 Row row(const std::string& name, double error) {

@@ -3,7 +3,7 @@
 #include <gmock/gmock.h>
 
 #include "compare/reference/theory.hpp"
-#include "compare/reference/values/beam.hpp"
+#include "compare/reference/values/cantilever.hpp"
 #include "compare_support.hpp"
 #include "model/scene/shapes/box.hpp"
 

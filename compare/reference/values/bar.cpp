@@ -1,12 +1,52 @@
-// A bar under a force along it.
+// A bar under a force along it: one-dimensional waves of speed c = sqrt(E/rho), e.g. Timoshenko and Goodier,
+// Theory of Elasticity, ch. 15.
 
-#include "compare/reference/values/box_value.hpp"
+#include <cmath>
+
+#include "compare/reference/values/loaded_box.hpp"
 
 namespace femsph::compare {
 namespace {
 
-Theory bar(const char* name, const char* unit, const char* formula, Theory::Depends depends, BoxValue value) {
-  return box_theory(bar_of, name, unit, formula, depends, std::move(value));
+/// F/A, Pa.
+double bar_stress(const LoadedBox& bar) { return bar.force[0] / bar.area(); }
+
+LoadedBox bar_of(const Scene& scene) {
+  const LoadedBox box = loaded_box(scene, "bar");
+  if (!only_along(box.force, 0)) refuse_theory("bar", "the total force is not along x");
+  need_elastic(box, bar_stress(box), "bar");
+  return box;
+}
+
+/// c = sqrt(E/rho).
+double bar_wave_speed(const LoadedBox& bar) { return std::sqrt(bar.young / bar.density); }
+
+/// u(x) = F x/(E A).
+double bar_displacement(const LoadedBox& bar, double x) {
+  return bar.force[0] * x / (bar.young * bar.area());
+}
+
+/// 4 L/c: the wave runs to the held end and back twice until the motion repeats.
+double bar_period(const LoadedBox& bar) {
+  need_undamped(bar, "bar");
+  return 4 * bar.length / bar_wave_speed(bar);
+}
+
+/// Step load: the loaded end moves on a triangle between 0 and twice its static displacement.
+double bar_end_history(const LoadedBox& bar, double time) {
+  need_step(bar, bar_stress(bar), "bar");
+  const double phase = std::fmod(time / bar_period(bar), 1.0);
+  return 2 * bar_displacement(bar, bar.length) * (phase < 0.5 ? 2 * phase : 2 - 2 * phase);
+}
+
+/// Step load: the front F/A raises the stress at x, its reflection at the held end doubles it, and the
+/// reflections at the loaded end take both back.
+double bar_stress_history(const LoadedBox& bar, double x, double time) {
+  need_step(bar, bar_stress(bar), "bar");
+  // Fronts pass x at (L - x), (L + x), (3 L - x), (3 L + x) over c: up, up, down, down.
+  const double way = std::fmod(time, bar_period(bar)) * bar_wave_speed(bar), L = bar.length;
+  const int level = (way >= L - x) + (way >= L + x) - (way >= 3 * L - x) - (way >= 3 * L + x);
+  return level * bar.force[0] / bar.area();
 }
 
 }  // namespace
@@ -14,6 +54,7 @@ Theory bar(const char* name, const char* unit, const char* formula, Theory::Depe
 std::vector<Theory> bar_values() {
   using Depends = Theory::Depends;
   using B = LoadedBox;
+  const BoxTheory bar{bar_of};
   return {
       bar("bar_stress", "Pa", "F/A", Depends::on_nothing,
           [](const B& b, double, double, double) { return b.force[0] / b.area(); }),

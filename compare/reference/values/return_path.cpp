@@ -1,4 +1,5 @@
-// A deviator that turns on the yield surface.
+// Perfect plasticity under a strain rate at a right angle to the stress: the stress deviator turns on the
+// yield surface (Prandtl-Reuss).
 
 #include <cmath>
 #include <stdexcept>
@@ -8,9 +9,9 @@
 namespace femsph::compare {
 namespace {
 
-/// A body of perfect plasticity, strained to its yield surface by one deviatoric gradient and then steadily
-/// by another across it: the deviator s of constant size S = sqrt(2/3) sigma_y turns to the strain rate e by
-/// d theta/dt = -(2G |e| / S) sin theta, from a right angle (Prandtl-Reuss).
+/// sigma_xx. The initial strain takes the body to its yield surface; a constant deviatoric strain rate e then
+/// acts at a right angle to it. The deviator has the constant norm S = sqrt(2/3) sigma_y, and its angle theta
+/// to e falls from a right angle by d theta/dt = -(2G |e|/S) sin theta.
 double return_path_xx(const Scene& scene, double time) {
   const auto inner = [](const Matrix& a, const Matrix& b) {
     return a[0][0] * b[0][0] + a[1][1] * b[1][1] + a[2][2] * b[2][2];
@@ -50,7 +51,8 @@ std::vector<Theory> return_path_values() {
   using Depends = Theory::Depends;
   return {
       {"return_path_xx", "Pa",
-       "theta = 2 atan(exp(-z)) between deviator and strain rate, without hardening; sigma_xx",
+       "sigma_xx of a deviator that turns to the strain rate e by theta = 2 atan(exp(-2 G |e| t/S)), without "
+       "hardening",
        Depends::on_time, [](const Scene& scene, const Point&, double t) { return return_path_xx(scene, t); }},
   };
 }

@@ -1,6 +1,6 @@
 #pragma once
-// A theory value: an exact or beam-theory number by its name, evaluated from a scene. One file a solution,
-// which lists the values that follow from it; the list of files is in ../theory.cpp.
+// A theory value: an exact value, or one of beam theory, that is computed from a scene. Each file of this
+// folder is one solution with the values that follow from it; ../theory.cpp lists the solutions.
 
 #include <functional>
 #include <string>
@@ -12,16 +12,16 @@ namespace femsph::compare {
 
 struct Theory {
   enum class Depends { on_nothing, on_place, on_time, on_place_and_time };
-  std::string name, unit, formula;
+  std::string name, unit, formula;  ///< unit: SI
   Depends depends;
-  /// At a point of the undeformed body and at a time; either is ignored where the value does not depend on
-  /// it. Throws std::runtime_error with one sentence if the scene is not of its kind.
+  /// SI, at a point of the undeformed body (m) and at a time (s), which are ignored where the value does not
+  /// depend on them. Throws std::runtime_error with one sentence if the theory does not cover the scene.
   std::function<double(const Scene&, const Point&, double time)> value;
 
   bool on_time() const { return depends == Depends::on_time || depends == Depends::on_place_and_time; }
 };
 
-// The values of each solution.
+// The solutions.
 std::vector<Theory> bar_values();
 std::vector<Theory> return_path_values();
 std::vector<Theory> impact_values();

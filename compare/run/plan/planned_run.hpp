@@ -1,4 +1,5 @@
 #pragma once
+// One run of a study.
 
 #include <string>
 
@@ -7,7 +8,6 @@
 
 namespace femsph::compare {
 
-/// One run to make.
 struct PlannedRun {
   std::string case_name, label;  ///< label: the method's name in tables
   Method method;                 ///< with the study's overrides
@@ -15,7 +15,7 @@ struct PlannedRun {
   std::string scene;  ///< a key of Study::scenes
   MarchOptions march;
   bool quick = false;  ///< part of the quick form
-  int ladder = 0;      ///< runs of one [[runs]] table share it
+  int ladder = 0;      ///< number of the [[runs]] table: runs that differ in their spacing
 };
 
 }  // namespace femsph::compare

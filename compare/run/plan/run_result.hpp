@@ -1,5 +1,5 @@
 #pragma once
-// What a run gives.
+// The results of a run.
 
 #include <map>
 #include <string>
@@ -20,9 +20,9 @@ struct RunResult {
   Balance balance;            ///< the worst of all samples
   Price price;
   bool settled = false;
-  double spacing = 0;  ///< m, as discretized; of several bodies the widest
+  double spacing = 0;  ///< m, as discretized; the widest of several bodies
   int cells_over_height =
-      0;                   ///< cells, or particles less one, along y; of bodies with that spacing the fewest
+      0;  ///< cells, or particles less one, along y; the fewest of the bodies with that spacing
   std::size_t points = 0;  ///< nodes or particles
   std::map<std::string, double>
       scalars;  ///< numbers that belong to the whole run, SI, by their names in run_scalars()

@@ -22,13 +22,12 @@ void add_note(Verdict& verdict, const std::string& note) {
 
 std::string percent(double value) { return fmt::format("{:+.3g} %", value); }
 
-// The rows of a filter that have what a claim asks for.
+/// The rows of a filter, if all of them have the number that the claim is about.
 std::vector<const Row*> rows_of(const RowFilter& filter, const Claim& claim, const std::vector<Row>& rows,
                                 Verdict& verdict) {
   std::vector<const Row*> found;
   int without = 0, unsettled = 0;
-  std::vector<std::string> missing =
-      filter.cases;  // of several cases each must be there: half of them do not answer for all
+  std::vector<std::string> missing = filter.cases;  // of several cases all must be there
   std::string doubt;
   for (const Row& row : rows) {
     if (!filter.matches(row)) continue;
@@ -78,7 +77,7 @@ bool row_holds(const Claim& claim, const Row& row) {
   }
 }
 
-// value, below, above, larger, smaller: each row answers; "partly" when they disagree.
+/// value, below, above, larger, smaller: every row is checked; "partly" if they disagree.
 void judge_rows(const Claim& claim, const std::vector<Row>& rows, Verdict& verdict) {
   const auto found = rows_of(claim.rows, claim, rows, verdict);
   if (found.empty()) return;
@@ -101,7 +100,7 @@ void judge_ratio(const Claim& claim, const std::vector<Row>& rows, Verdict& verd
   if (above.size() > 1 || below.size() > 1)
     return add_note(verdict, "more than one row; a ratio needs one and one");
   const double a = *error_of(*above[0], claim.reference), b = *error_of(*below[0], claim.reference);
-  if (b == 0) return add_note(verdict, "the error below the line is 0");
+  if (b == 0) return add_note(verdict, "the second error is 0");
   const double ratio = std::abs(a / b);
   verdict.ours = fmt::format("{:.3g} ({} / {})", ratio, percent(a), percent(b));
   verdict.holds = yes_or_no(within_factor(ratio, *claim.paper, claim.factor));
@@ -131,7 +130,7 @@ void judge_finer(const Claim& claim, const std::vector<Row>& rows, Verdict& verd
     return add_note(verdict, "the error to reach must be that of one row");
   const double error = *error_of(*target[0], claim.reference), spacing = *target[0]->spacing_mm;
   const auto reached = spacing_at_error(errors_of(ladder, claim.reference), std::abs(error));
-  if (!reached) return add_note(verdict, "the ladder does not tell where it reaches that error");
+  if (!reached) return add_note(verdict, "the runs do not show at which spacing they reach that error");
   verdict.ours = fmt::format("{:.3g} times ({:.3g} mm for {} at {:.3g} mm)", spacing / reached->spacing,
                              reached->spacing, percent(error), spacing);
   if (reached->extrapolated) add_note(verdict, "extrapolated beyond the ladder");
@@ -187,17 +186,8 @@ Verdict judge_one(const Claim& claim, const std::vector<Row>& rows) {
 }
 
 const char* word(Holds holds) {
-  switch (holds) {
-    case Holds::yes:
-      return "yes";
-    case Holds::no:
-      return "no";
-    case Holds::partly:
-      return "partly";
-    case Holds::unknown:
-      break;
-  }
-  return "not run";
+  const char* const words[] = {"yes", "no", "partly", "not run"};
+  return words[int(holds)];
 }
 
 }  // namespace
@@ -231,9 +221,7 @@ std::vector<Verdict> judge(const std::vector<Claim>& claims, const std::vector<R
 std::string csv(const std::vector<Verdict>& verdicts) {
   std::string text = "id,source,claim,paper,ours,holds,note\r\n";
   for (const Verdict& v : verdicts)
-    text += fmt::format(
-        "{},{},{},{},{},{},{}\r\n", csv_cell(v.claim->id), csv_cell(v.claim->source), csv_cell(v.claim->text),
-        csv_cell(v.paper), csv_cell(v.ours), word(v.holds), csv_cell(v.note));
+    text += csv_line({v.claim->id, v.claim->source, v.claim->text, v.paper, v.ours, word(v.holds), v.note});
   return text;
 }
 

@@ -1,5 +1,5 @@
 #pragma once
-// Claims: sentences of the paper, put as questions to the rows of a table.
+// Claims: sentences of the paper that are checked against the rows of a table.
 
 #include <optional>
 #include <string>
@@ -9,7 +9,7 @@
 
 namespace femsph::compare {
 
-/// Rows by what they are; what is not given matches all.
+/// Selects rows; what is not given matches all.
 struct RowFilter {
   std::optional<std::string> study, method, quantity;
   std::vector<std::string> cases;  ///< any of them; empty: all
@@ -25,8 +25,8 @@ struct Claim {
     above,    ///< |error| of the rows is above `bound` percent
     ratio,    ///< |error| of the row over that of the `other` row is the paper's ratio, within `factor`
     order,    ///< observed order of the ladder is between `low` and `high`
-    finer,    ///< the ladder must be so many times finer than the `other` row to reach its |error|: the
-              ///< paper's, within `factor`
+    finer,    ///< to reach the |error| of the `other` row, the rows must be finer by the paper's ratio,
+              ///< within `factor`
     larger,   ///< the rows are larger in magnitude than the reference
     smaller,  ///< the rows are smaller
   };
@@ -43,11 +43,11 @@ struct Verdict {
   enum class Holds { yes, no, partly, unknown } holds = Holds::unknown;
   const Claim* claim = nullptr;
   std::string paper, ours;  ///< numbers with their units
-  std::string note;         ///< what the evaluation met, and the claim's own note if it does not hold
+  std::string note;         ///< remarks of the evaluation; the claim's own note if it does not hold
 };
 
-/// Answers every claim from the rows alone. `unknown` when a row is missing, or has no number; of several
-/// cases each must be there.
+/// Checks every claim against the rows. `unknown` if a row is missing or has no number; of several cases all
+/// must be there.
 std::vector<Verdict> judge(const std::vector<Claim>& claims, const std::vector<Row>& rows);
 
 std::string csv(const std::vector<Verdict>& verdicts);

@@ -1,7 +1,7 @@
 #pragma once
-// A study: a folder with study.toml, scene files, plot.gp and a README.md. It says which runs to make, what
-// to take from them, what to compare it with, and which claims to check. The format is described in
-// studies/README.md.
+// A study: a folder with study.toml, scene files, plot.gp and a README.md. study.toml says which runs to
+// make, which numbers to take from them, what to compare these with, and which claims to check; its format is
+// described in studies/README.md.
 
 #include <map>
 #include <optional>
@@ -31,31 +31,31 @@ struct SeriesSpec {
   Reference reference = Reference::theory;  ///< error, cases
   Observed observed;                        ///< history, profile
   Unit time_unit{"ms", 1e-3};               ///< history
-  Observed along;                           ///< path: what the abscissa is
-  std::optional<std::string> theory;        ///< history, profile: a column of theory
+  Observed along;                           ///< path: the abscissa
+  std::optional<std::string> theory;        ///< history, profile: adds a column of theory
   std::vector<std::string> cases, methods;  ///< empty: all
   std::optional<std::string> scene;         ///< whose theory; default: the first run's
 };
 
-/// The converged solution to compare with: the static one of the elastic body by FEM of high degree; or, with
-/// `ladder`, Richardson's limit of that method's ladder, quantity by quantity.
+/// The converged solution to compare with: the static solution of the elastic body by FEM of high degree; or,
+/// with `ladder`, Richardson's extrapolation of the runs of that method, for each quantity.
 struct LimitSpec {
   std::array<int, 3> divisions{};
   int degree = 4;
   std::string ladder;  ///< a method's label; empty: the static solution
 };
 
-/// What an error costs by each method: one scene and quantity of price.csv.
+/// The cost of accuracy by each method: one scene and quantity of price.csv.
 struct PriceSpec {
   std::string name, title;  ///< name: in tables and names of files; title: for people
   std::string quantity;     ///< of one scene
   Reference reference = Reference::limit;
   std::vector<double> errors{10, 5, 1, 0.1};  ///< percent
   std::optional<double> spacing;              ///< m: all methods compared at this spacing too
-  std::string base;                           ///< the method that others must be finer than; empty: none
+  std::string base;  ///< method that the others are compared with at equal error; empty: none
 };
 
-/// A question to `advise`, whose advice is followed and measured.
+/// A question to `advise`; the run that it advises is made and compared with the prediction.
 struct AdviceSpec {
   std::string scene, quantity;
   std::optional<double> error, within;  ///< percent; s
@@ -72,16 +72,16 @@ struct Study {
   std::vector<SeriesSpec> series;
   std::optional<LimitSpec> limit;           ///< of every scene that `limits` does not name
   std::map<std::string, LimitSpec> limits;  ///< by scene
-  int repeat = 1;                           ///< how often every run is made, to know the spread of its time
+  int repeat = 1;                           ///< how often every run is made, for the spread of its time
   std::vector<PriceSpec> prices;
   std::vector<AdviceSpec> advice;
-  std::vector<Study> collected;  ///< run too; their rows are this study's
+  std::vector<Study> collected;  ///< these are run too, and their rows belong to this study
   std::vector<Claim> claims;
-  std::vector<Bound> bounds;  ///< some: the study's table is one of verdicts
+  std::vector<Bound> bounds;  ///< if there are any, the study's table shows verdicts
   std::vector<Expectation> expectations;
 };
 
-/// Reads a study and its scenes, and finds everything wrong with study.toml in one go. Throws InputError.
+/// Reads a study and its scenes. Throws InputError with all faults of study.toml.
 Study read_study(const std::string& file);
 /// The same from memory; scenes are looked for beside `file`.
 Study parse_study(const std::string& text, const std::string& file);

@@ -1,4 +1,4 @@
-// [[bounds]] and [[expectations]] of a study: what every run must keep, and which must fail.
+// [[bounds]] and [[expectations]] of a study: bounds that every run must keep, and runs that must fail.
 
 #include <fmt/format.h>
 
@@ -11,7 +11,8 @@ namespace femsph::compare {
 namespace {
 
 std::vector<Key> row_keys() {
-  return {{"cases", key_holds::texts, "Of these cases."}, {"methods", key_holds::texts, "Of these labels."}};
+  return {{"cases", key_holds::texts, "Only of these cases."},
+          {"methods", key_holds::texts, "Only of these labels (names of methods in tables)."}};
 }
 
 std::optional<double> not_negative(Fields& fields, const char* key) {
@@ -21,7 +22,7 @@ std::optional<double> not_negative(Fields& fields, const char* key) {
   return {};
 }
 
-/// Some run of these cases and methods gives a quantity that `fits`.
+/// Whether some run of these cases and methods gives a quantity for which `fits` is true.
 template <class Fits>
 bool some_row(const Study& study, const std::vector<std::string>& cases,
               const std::vector<std::string>& methods, Fits fits) {
@@ -32,7 +33,7 @@ bool some_row(const Study& study, const std::vector<std::string>& cases,
   return false;
 }
 
-/// A bound that no row can break says nothing.
+/// A bound must hold for some row.
 void check_bound(const Fields& fields, const Bound& bound, const Study& study) {
   const auto named = [&](const QuantitySpec& q) {
     return bound.quantity.empty() || q.name == bound.quantity;
@@ -43,8 +44,9 @@ void check_bound(const Fields& fields, const Bound& bound, const Study& study) {
   else if (bound.error_percent && !some_row(study, bound.cases, bound.methods, [&](const QuantitySpec& q) {
              return named(q) && (q.theory || q.reference);
            }))
-    fields.fault("error_percent",
-                 "no quantity of this bound has a theory or a reference to err from; expected one that has");
+    fields.fault(
+        "error_percent",
+        "no quantity of this bound has a theory or a reference, which an error needs; expected one that has");
 }
 
 void one_bound(Fields& fields, StudyReading& reading) {
@@ -65,7 +67,7 @@ void one_bound(Fields& fields, StudyReading& reading) {
   bound.low = fields.number("low", Need::optional);
   bound.high = fields.number("high", Need::optional);
   if (bound.low && bound.high && *bound.low > *bound.high)
-    fields.fault("low", "\"low\" lies above \"high\", so that nothing can be between; expected it below");
+    fields.fault("low", "\"low\" is above \"high\", so that no number lies between; expected it below");
   fields.done();
   if (is_known && reading.runs_known && reading.quantities_known) check_bound(fields, bound, study);
   reading.study.bounds.push_back(bound);
@@ -77,7 +79,7 @@ void one_expectation(Fields& fields, StudyReading& reading) {
   expectation.methods = read_names(
       fields, "methods", method_labels(reading.study), "method", reading.runs_known);
   expectation.messages =
-      fields.texts("messages", Need::required, "a list of words, of which the failure says one")
+      fields.texts("messages", Need::required, "a list of words, one of which the message contains")
           .value_or(std::vector<std::string>{});
   expectation.reason = fields.text("reason", Need::required, "why it must fail").value_or("");
   fields.done();
@@ -93,13 +95,15 @@ void one_expectation(Fields& fields, StudyReading& reading) {
 
 KeyTable bound_keys() {
   KeyTable table{"[[bounds]]",
-                 "What rows must keep; the study's table is then one of verdicts. Where several match, the "
-                 "last one that names a bound counts.",
+                 "Bounds that rows must keep; the study's table then shows verdicts. Where several tables "
+                 "match a row, the last "
+                 "one that gives a bound counts.",
                  row_keys()};
   for (const Key& key : std::vector<Key>{
-           {"quantity", "a text: a quantity of this study", "Of this quantity."},
-           {"energy_drift", key_holds::number, "At most: the ledger's imbalance over the largest energy."},
-           {"momentum_drift", key_holds::number, "At most: a share of 1."},
+           {"quantity", "a text: a quantity of this study", "Only of this quantity."},
+           {"energy_drift", key_holds::number,
+            "At most: the energy that is unaccounted for over the largest energy."},
+           {"momentum_drift", key_holds::number, "At most: the change of the total over its scale."},
            {"angular_momentum_drift", key_holds::number, "At most: a share of 1."},
            {"hourglass_share", key_holds::number, "At most: hourglass energy over internal energy."},
            {"error_percent", key_holds::number, "At most: the magnitude of the error."},
@@ -110,9 +114,9 @@ KeyTable bound_keys() {
 }
 
 KeyTable expectation_keys() {
-  KeyTable table{"[[expectations]]", "A failure that must occur, in a study with [[bounds]].", row_keys()};
-  table.keys.push_back(
-      {"messages", key_holds::texts, "The failure, or the bound it breaks, says one of them.", true});
+  KeyTable table{"[[expectations]]", "Runs that must fail, in a study with [[bounds]].", row_keys()};
+  table.keys.push_back({"messages", key_holds::texts,
+                        "The message of the failure, or of the broken bound, contains one of these.", true});
   table.keys.push_back({"reason", key_holds::text, "Why it must fail.", true});
   return table;
 }

@@ -1,4 +1,4 @@
-// [[paper]] and [[claims]] of a study: what the paper reports, and what it says.
+// [[paper]] and [[claims]] of a study: numbers that the paper reports, and sentences of the paper to check.
 
 #include <fmt/format.h>
 
@@ -42,8 +42,8 @@ void add_planned(const Study& study, std::vector<Row>& rows) {
     }
 }
 
-/// The rows that the study will have, without their numbers: a filter that matches none of them is a slip,
-/// unless an earlier fault hides which rows there are.
+/// The rows that the study will have, without their numbers: a filter that matches none of them is a mistake,
+/// unless an earlier fault hides some rows (`complete` is false).
 struct Planned {
   std::vector<Row> rows;
   bool complete;
@@ -56,7 +56,8 @@ Planned planned_rows(const StudyReading& reading) {
 }
 
 bool could_match(RowFilter filter, const Row& planned) {
-  if (!planned.spacing_mm) filter.spacing_mm.reset();  // divisions: the spacing is known after the run
+  if (!planned.spacing_mm)
+    filter.spacing_mm.reset();  // from divisions: the spacing is known only after the run
   return filter.matches(planned);
 }
 
@@ -67,7 +68,7 @@ std::vector<std::string> known_words(std::string Row::*member, const Planned& pl
   return known;
 }
 
-// One word of a filter: it must be that of some row.
+/// One word of a filter: some row must have it.
 std::optional<std::string> read_word(Fields& fields, const char* key, std::string Row::*member,
                                      const Planned& planned) {
   const auto word = fields.text(key, Need::optional);
@@ -115,7 +116,7 @@ double positive(Fields& fields, const char* key, double least) {
   return value.value_or(least);
 }
 
-// The keys that a kind of claim asks for, and no others.
+/// The keys that this kind of claim needs, and no others.
 void read_kind(Fields& fields, Claim& claim, const Planned& planned) {
   const auto paper = [&] {
     claim.paper = fields.number("paper", Need::required, "the paper's number").value_or(0);
@@ -141,7 +142,7 @@ void read_kind(Fields& fields, Claim& claim, const Planned& planned) {
       claim.low = fields.number("low", Need::required).value_or(0);
       claim.high = fields.number("high", Need::required).value_or(0);
       if (claim.low > claim.high)
-        fields.fault("low", "\"low\" lies above \"high\", so that nothing can be between; expected it below");
+        fields.fault("low", "\"low\" is above \"high\", so that no number lies between; expected it below");
       break;
     case Kind::larger:
     case Kind::smaller:
@@ -184,8 +185,8 @@ std::optional<double> read_paper_value(Fields& fields, const std::optional<std::
 }  // namespace
 
 KeyTable paper_keys() {
-  KeyTable table{
-      "[[paper]]", "A number that the paper reports, shown beside the rows it is about.", filter_keys(true)};
+  KeyTable table{"[[paper]]", "A number that the paper reports; it is shown in the rows that it belongs to.",
+                 filter_keys(true)};
   for (const Key& key : std::vector<Key>{
            {"value", "a text: a number with the unit of the quantity, such as \"4.765 mm\"",
             "The paper's value. This, \"error_percent\" or both."},
@@ -199,30 +200,39 @@ KeyTable claim_keys() {
   const std::string of_ratio = "with kind \"ratio\" or \"finer\"", of_order = "with kind \"order\"";
   return {
       "[[claims]]",
-      "A sentence of the paper, checked against rows.",
+      "A sentence of the paper that the rows of the table confirm or not.",
       {{"id", key_holds::text, "A short name.", true},
        {"source", key_holds::text, "Where the paper says it, such as \"fig 5\".", true},
        {"text", key_holds::text, "The claim in words.", true},
-       {"note", key_holds::text, "Shown when it does not hold."},
-       {"reference", key_holds::words(claim_references), "Of the errors. \"theory\" unless given."},
+       {"note", key_holds::text, "Shown if the claim does not hold."},
+       {"reference", key_holds::words(claim_references),
+        "What the errors are measured against. \"theory\" unless given."},
        {"kind", key_holds::words(claim_kinds),
-        "How rows are judged: a value, a bound on the error, the ratio of the errors of two rows, the "
-        "observed order, how many times finer for one error, or which of two errors is larger.",
+        "How it is checked. \"value\": error or value is the paper's, within \"tolerance\"; \"below\", "
+        "\"above\": a "
+        "bound on the error; \"ratio\": of the errors of two rows; \"order\": the observed order of "
+        "convergence; "
+        "\"finer\": how many times finer the rows must be for the error of another; \"larger\", \"smaller\": "
+        "than the "
+        "reference.",
         true},
        {"field", key_holds::words(claim_fields),
         "With \"value\": what is compared with \"paper\". \"error\" unless given."},
        {"paper", key_holds::number, "The paper's number.", false,
         "with kind \"value\", \"ratio\" or \"finer\""},
-       {"tolerance", key_holds::number, "How far from it is near enough.", false, "with kind \"value\""},
+       {"tolerance", key_holds::number, "How far the number may be from the paper's.", false,
+        "with kind \"value\""},
        {"bound", key_holds::number, "Percent.", false, "with kind \"below\" or \"above\""},
-       {"factor", key_holds::number, "Within this factor of \"paper\", from 1 on.", false, of_ratio},
+       {"factor", key_holds::number, "The ratio may differ from \"paper\" by this factor, 1 or more.", false,
+        of_ratio},
        {"low", key_holds::number, "The least order.", false, of_order},
        {"high", key_holds::number, "The largest order.", false, of_order}}};
 }
 
 KeyTable claim_rows_keys() {
   return {"[claims.rows]",
-          "Which rows a claim is about, inline: rows = {cases = [\"1_4\"], quantity = \"tip_displacement\"}.",
+          "The rows that the claim is about, as an inline table: rows = {cases = [\"1_4\"], quantity = "
+          "\"tip_displacement\"}.",
           filter_keys(false),
           {},
           {},
@@ -230,7 +240,8 @@ KeyTable claim_rows_keys() {
 }
 
 KeyTable claim_other_keys() {
-  return {"[claims.other]", "The rows that they are compared with, by \"ratio\" and \"finer\"; inline.",
+  return {"[claims.other]",
+          "With kind \"ratio\" or \"finer\", as an inline table: the row that they are compared with.",
           filter_keys(false)};
 }
 

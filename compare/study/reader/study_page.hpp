@@ -1,5 +1,5 @@
 #pragma once
-// The page of all keys of a study, made of the tables that stand beside their readers.
+// The page of all keys of a study, made of the tables of keys that each reader states.
 
 #include "model/input/keys.hpp"
 
@@ -16,6 +16,7 @@ KeyTable scene_limit_keys();
 // study_quantities.cpp
 KeyTable quantity_keys();
 KeyTable quantity_along_keys();
+// study_series.cpp
 KeyTable series_keys();
 KeyTable series_along_keys();
 // study_prices.cpp

@@ -1,9 +1,9 @@
-// [[price]] of a study: of which quantity the price of accuracy is to be told.
+// [[price]] and [[advice]] of a study: the CPU time that accuracy costs, and whether `femsph advise` is
+// right.
 
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cctype>
 
 #include "compare/study/reader/study_page.hpp"
 #include "compare/study/reader/study_reading.hpp"
@@ -16,15 +16,28 @@ const std::vector<std::pair<std::string, Reference>> price_references = {
     {"theory", Reference::theory}, {"limit", Reference::limit}};
 
 std::string read_name(Fields& fields, const Study& study) {
-  const std::string expected = "a name of letters, digits, _ and -, which files take too";
+  const std::string expected = "a name of letters, digits, _ and -, as it is part of file names";
   const std::string name = fields.text("name", Need::required, expected).value_or("x");
-  const auto allowed = [](unsigned char c) { return c < 0x80 && (std::isalnum(c) || c == '_' || c == '-'); };
-  if (name.empty() || !std::all_of(name.begin(), name.end(), allowed))
+  if (!is_file_name(name))
     fields.fault("name", fmt::format("\"name\" is {}; expected {}", in_quotes(name), expected));
   if (std::any_of(
           study.prices.begin(), study.prices.end(), [&](const PriceSpec& p) { return p.name == name; }))
     fields.fault("name", fmt::format("two prices are called {}; expected a name for each", in_quotes(name)));
   return name;
+}
+
+Key quantity_key() {
+  return {"quantity", "a text: a quantity of this study, of one scene", "The quantity whose error is meant.",
+          true};
+}
+
+/// The quantity of this name, or null after a fault.
+const QuantitySpec* known_quantity(Fields& fields, const std::string& name, const StudyReading& reading) {
+  for (const QuantitySpec& quantity : reading.study.quantities)
+    if (quantity.name == name) return &quantity;
+  require_known(
+      fields, "quantity", "quantity", name, quantity_names(reading.study), reading.quantities_known);
+  return nullptr;
 }
 
 std::string read_base(Fields& fields, const StudyReading& reading) {
@@ -38,26 +51,28 @@ std::string read_base(Fields& fields, const StudyReading& reading) {
 KeyTable price_keys() {
   return {
       "[[price]]",
-      "What accuracy costs by each method: rules in studies/cost/README.md.",
-      {{"name", key_holds::text, "In price.csv and in names of files: letters, digits, _ and -.", true},
-       {"title", key_holds::text, "For people. The name unless given."},
-       {"quantity", "a text: a quantity of this study, of one scene", "Whose error.", true},
-       {"reference", key_holds::words(price_references), "Error against what. \"limit\" unless given."},
+      "The CPU time that accuracy costs by each method; studies/cost/README.md states the rules.",
+      {{"name", key_holds::text, "In price.csv and in file names: letters, digits, _ and -.", true},
+       {"title", key_holds::text, "Heading in the README. The name unless given."},
+       quantity_key(),
+       {"reference", key_holds::words(price_references),
+        "What the error is measured against. \"limit\" unless given."},
        {"errors", key_holds::numbers, "Percents above 0. [10, 5, 1, 0.1] unless given."},
-       {"spacing", key_holds::quantity(dimension::length), "All methods side by side at this spacing too."},
+       {"spacing", key_holds::quantity(dimension::length), "All methods are also compared at this spacing."},
        {"base", "a text: the name of a method in tables",
-        "How many times finer, and dearer, must the others be for its error?"}}};
+        "The others are compared with it: how many times finer and dearer they are for the same error."}}};
 }
 
 KeyTable advice_keys() {
-  return {"[[advice]]",
-          "Asks `femsph advise`, follows its advice and compares (not in the quick form).",
-          {{"quantity", "a text: a quantity of this study, of one scene", "Whose error.", true},
-           {"error", key_holds::number, "Percent. Either this or \"within\"."},
-           {"within", key_holds::quantity(dimension::time), "The least error in this CPU time."},
-           {"budget", key_holds::quantity(dimension::time),
-            "CPU time for all ladders together. \"30 s\" unless given."},
-           {"methods", key_holds::texts, "Among which methods. Those of `femsph advise` unless given."}}};
+  return {
+      "[[advice]]",
+      "Asks `femsph advise`, makes the run that it advises and compares (not in the quick form).",
+      {quantity_key(),
+       {"error", key_holds::number, "Percent. Either this or \"within\"."},
+       {"within", key_holds::quantity(dimension::time), "The least error in this CPU time."},
+       {"budget", key_holds::quantity(dimension::time),
+        "CPU time for all ladders together. \"30 s\" unless given."},
+       {"methods", key_holds::texts, "The methods to choose from. Those of `femsph advise` unless given."}}};
 }
 
 namespace {
@@ -73,24 +88,19 @@ void one_price(Fields& fields, StudyReading& reading) {
     price.errors = *errors;
     if (errors->empty() || std::any_of(errors->begin(), errors->end(), [](double e) { return e <= 0; }))
       fields.fault(
-          "errors", "\"errors\" holds no number above 0; expected percents, such as [10, 5, 1, 0.1]");
+          "errors", "\"errors\" must hold numbers above 0; expected percents, such as [10, 5, 1, 0.1]");
   }
   price.spacing = fields.quantity("spacing", Need::optional, dimension::length, Sign::positive);
   price.base = read_base(fields, reading);
   fields.done();
-  const auto quantity = std::find_if(study.quantities.begin(), study.quantities.end(),
-                                     [&](const QuantitySpec& q) { return q.name == price.quantity; });
-  if (quantity == study.quantities.end()) {
-    require_known(
-        fields, "quantity", "quantity", price.quantity, quantity_names(study), reading.quantities_known);
-  } else if (!quantity->scene && study.scenes.size() > 1) {
+  const QuantitySpec* quantity = known_quantity(fields, price.quantity, reading);
+  if (quantity && !quantity->scene && study.scenes.size() > 1)
     fields.fault(
         "quantity", fmt::format("{} is a quantity of several scenes; expected one that names its scene",
                                 in_quotes(price.quantity)));
-  } else if (price.reference == Reference::theory && !quantity->theory) {
+  else if (quantity && price.reference == Reference::theory && !quantity->theory)
     fields.fault("reference",
                  fmt::format("{} has no theory; expected reference = \"limit\"", in_quotes(price.quantity)));
-  }
   reading.study.prices.push_back(price);
 }
 
@@ -108,19 +118,15 @@ void one_advice(Fields& fields, StudyReading& reading) {
     fields.fault(
         "error", "expected either \"error\", in percent, or \"within\", a time, in " + fields.name());
   if (advice.error && *advice.error <= 0) fields.fault("error", "\"error\" is not above 0; expected percent");
-  const auto quantity = std::find_if(study.quantities.begin(), study.quantities.end(),
-                                     [&](const QuantitySpec& q) { return q.name == advice.quantity; });
-  if (quantity == study.quantities.end())
-    require_known(
-        fields, "quantity", "quantity", advice.quantity, quantity_names(study), reading.quantities_known);
-  else if (quantity->reduce == Reduce::l2 || (!quantity->scene && study.scenes.size() > 1))
+  const QuantitySpec* quantity = known_quantity(fields, advice.quantity, reading);
+  if (quantity && (quantity->reduce == Reduce::l2 || (!quantity->scene && study.scenes.size() > 1)))
     fields.fault(
         "quantity",
         fmt::format("{} has no limit of one scene; expected a quantity that names its scene, other than l2",
                     in_quotes(advice.quantity)));
-  else if (quantity->scene)
+  else if (quantity && quantity->scene)
     advice.scene = *quantity->scene;
-  else if (!study.scenes.empty())  // none could be read: said where it is named
+  else if (quantity && !study.scenes.empty())  // empty: that none could be read is said where it is named
     advice.scene = study.scenes.begin()->first;
   reading.study.advice.push_back(advice);
 }

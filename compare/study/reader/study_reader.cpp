@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cctype>
 #include <filesystem>
 
 #include "compare/study/reader/study_page.hpp"
@@ -14,17 +15,16 @@ namespace fs = std::filesystem;
 
 Study parse(const std::string& text, const std::string& file, bool may_collect);
 
-// Studies whose rows this one collects: neighbours of its folder. They must not collect in turn.
+/// Studies whose rows this one collects: folders beside its own. They must not collect others.
 void read_collected(Fields& root, StudyReading& reading, bool may_collect) {
   const auto names = root.texts("studies", Need::optional, "a list of studies, such as [\"uniaxial\"]");
   if (!names) return;
   if (!may_collect)
-    return root.fault(
-        "studies", "a study that another one collects collects studies itself; expected runs only");
+    return root.fault("studies", "a collected study has \"studies\" itself; expected one with runs only");
   for (const std::string& name : *names) {
     const fs::path file = fs::path(reading.study.folder) / ".." / name / "study.toml";
     if (name == reading.study.name) {
-      root.fault("studies", fmt::format("{} collects itself; expected other studies", in_quotes(name)));
+      root.fault("studies", fmt::format("{} is this study itself; expected other studies", in_quotes(name)));
     } else if (std::error_code ignored; !fs::exists(file, ignored)) {
       root.fault(
           "studies", fmt::format("no study is called {}; expected the name of a folder beside this study's",
@@ -50,7 +50,7 @@ Study parse(const std::string& text, const std::string& file, bool may_collect) 
   reading.default_scene =
       root.text("scene", Need::optional, "the file of a scene").value_or(reading.default_scene);
   read_collected(root, reading, may_collect);
-  read_runs(root, reading);  // names the scenes, which all that follows refers to
+  read_runs(root, reading);  // first: it reads the scenes, which the others refer to
   read_repeat(root, reading);
   read_limit(root, reading);
   read_quantities(root, reading);
@@ -70,16 +70,16 @@ Study parse(const std::string& text, const std::string& file, bool may_collect) 
 }  // namespace
 
 KeyTable study_top_keys() {
-  return {
-      "",
-      "Keys before the first table.",
-      {{"title", key_holds::text, "One line for people.", true},
-       {"scene", "a text: the file of a scene, beside the study",
-        "Of [[runs]] that name none. \"scene.toml\" unless given."},
-       {"studies", key_holds::texts,
-        "Names of neighbouring studies that are run too; their rows are this study's, for its claims."},
-       {"repeat", key_holds::count,
-        "How often every run is made, for the spread of its time (not in the quick form). 1 unless given."}}};
+  return {"",
+          "Keys before the first table.",
+          {{"title", key_holds::text, "One line that `femsph list` shows.", true},
+           {"scene", "a text: the file of a scene, beside the study",
+            "For [[runs]] that name no scene. \"scene.toml\" unless given."},
+           {"studies", key_holds::texts,
+            "Names of studies beside this one that are run too; this study's claims can use their rows."},
+           {"repeat", key_holds::count,
+            "How often every run is made, to measure the spread of its time (not with --quick). 1 unless "
+            "given."}}};
 }
 
 const Scene* scene_of(const Fields& fields, const char* key, const std::string& file, StudyReading& reading) {
@@ -135,6 +135,13 @@ std::vector<std::string> distinct(const List& list, Name name) {
 }
 
 }  // namespace
+
+bool is_file_name(const std::string& text, const std::string& also) {
+  const auto allowed = [&](unsigned char c) {
+    return (c < 0x80 && std::isalnum(c)) || c == '_' || c == '-' || also.find(char(c)) != std::string::npos;
+  };
+  return !text.empty() && std::all_of(text.begin(), text.end(), allowed);
+}
 
 std::vector<std::string> case_names(const Study& study) {
   return distinct(study.runs, [](const PlannedRun& run) { return run.case_name; });

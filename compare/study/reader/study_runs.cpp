@@ -15,38 +15,42 @@ namespace femsph::compare {
 KeyTable run_keys() {
   return {
       "[[runs]]",
-      "Every method with every resolution. One such table is one ladder of orders.csv.",
+      "Runs every method at every resolution. The runs of one table form one ladder, whose order of "
+      "convergence is in "
+      "orders.csv.",
       {{"methods", key_holds::texts, "Names of methods: see `femsph list`.", true},
        {"spacing", key_holds::quantities(dimension::length),
         "Particle spacings, or edges of cells. Either this or \"divisions\"."},
        {"divisions", key_holds::texts, "Cells along the axes, such as [\"20x2\", \"40x4\"]."},
        {"cases", key_holds::texts, "A name for each resolution. \"20x2\" or \"d=20mm\" unless given."},
-       {"quick", key_holds::texts, "The cases that --quick runs. None unless given."},
+       {"quick", key_holds::texts, "Which of these cases --quick runs. None unless given."},
        {"scene", "a text: the file of a scene, beside the study", "The study's scene unless given."},
        {"smoothing_lengths", key_holds::numbers,
-        "SPH with each of these smoothing lengths, h over the spacing, as a method of its own."},
+        "SPH with each of these smoothing lengths, h over the spacing; each counts as a method."},
        {"safety", key_holds::number,
-        "The step over the critical one, up to 2 (beyond 1: to see what then happens). 0.9 unless given."},
-       {"step", key_holds::quantity(dimension::time), "A fixed step, in place of \"safety\"."},
+        "The step over the critical step, up to 2 (above 1 only to show the instability). 0.9 unless given."},
+       {"step", key_holds::quantity(dimension::time), "A fixed step, instead of \"safety\"."},
        {"label", key_holds::text,
-        "A name for the one method in tables. Its name and options unless given."}}};
+        "A name for the method in tables; only with one method. Its name and options unless given."}}};
 }
 
 KeyTable limit_keys() {
   return {
       "[limit]",
-      "The converged static solution of the elastic body, by FEM of high degree, to compare with: of every "
-      "scene that [[limits]] does not name.",
-      {{"divisions", "a text: cells along the axes, such as \"100x10\"", "The mesh.", true},
+      "The converged static solution of the elastic body, by FEM of high degree, to compare with. It holds "
+      "for "
+      "every scene that [[limits]] does not name.",
+      {{"divisions", "a text: cells along the axes, such as \"100x10\"", "The mesh of the solution.", true},
        {"degree", key_holds::count, "Of the shape functions, 1 to 8. 4 unless given."}}};
 }
 
 KeyTable scene_limit_keys() {
   return {"[[limits]]",
-          "The same for one scene; or Richardson's limit of a ladder, for any scene and quantity.",
-          {{"scene", "a text: the file of a scene that a run uses", "Which scene.", true},
-           {"divisions", "a text: cells along the axes, such as \"100x10\"", "The mesh.", false,
-            "unless \"ladder\" is given"},
+          "The same for one scene; or Richardson's extrapolation of a ladder of runs to spacing zero, for "
+          "any quantity.",
+          {{"scene", "a text: the file of a scene that a run uses", "The scene that it holds for.", true},
+           {"divisions", "a text: cells along the axes, such as \"100x10\"", "The mesh of the solution.",
+            false, "unless \"ladder\" is given"},
            {"degree", key_holds::count, "Of the shape functions, 1 to 8. 4 unless given."},
            {"ladder", "a text: the name of a method in tables",
             "The method whose three or more spacings are extrapolated.", false,
@@ -104,7 +108,7 @@ std::string default_case(const Resolution& resolution) {
   return n[2] > 0 ? fmt::format("{}x{}x{}", n[0], n[1], n[2]) : fmt::format("{}x{}", n[0], n[1]);
 }
 
-/// `complete`: no resolution was at fault, so that their number counts.
+/// `complete`: there was no fault in the resolutions, so that their number is known.
 std::vector<std::string> read_cases(Fields& fields, const std::vector<Resolution>& resolutions,
                                     bool complete) {
   std::vector<std::string> defaults;
@@ -119,7 +123,7 @@ std::vector<std::string> read_cases(Fields& fields, const std::vector<Resolution
   return defaults;
 }
 
-/// Smoothing lengths over the spacing, each a method of its own. None given: the methods as they are.
+/// Smoothing lengths over the spacing, each of which counts as a method. Not given: the methods as they are.
 std::vector<std::optional<double>> read_smoothing_lengths(Fields& fields, const std::vector<Method>& chosen,
                                                           const Overrides& overrides) {
   const char* const key = "smoothing_lengths";
@@ -147,8 +151,8 @@ std::string smoothing_label(const std::optional<double>& smoothing) {
   return smoothing ? fmt::format(" h={:g}d", *smoothing) : "";
 }
 
-/// Elements of bodies that bring their own cells have one resolution, whatever the spacing: several would be
-/// rows of one and the same run.
+/// FEM of bodies with their own cells (mesh files) has one resolution, whatever the spacing: several would
+/// repeat the same run.
 void refuse_same_cells(Fields& fields, const Scene* scene, const std::vector<Method>& chosen,
                        std::size_t resolutions) {
   if (!scene || resolutions < 2 ||
@@ -176,7 +180,7 @@ void one_block(Fields& fields, StudyReading& reading, int ladder) {
   const auto quick = read_names(fields, "quick", cases, "case", reading.runs_known);
   const auto step = fields.quantity("step", Need::optional, dimension::time, Sign::positive);
   const std::string safety_expected =
-      "a number above 0, up to 2: the step over the critical step";  // beyond 1: to see what then happens
+      "a number above 0, up to 2: the step over the critical step";  // above 1: to show the instability
   const auto safety = fields.number("safety", Need::optional, safety_expected);
   if (safety && !(*safety > 0 && *safety <= 2))
     fields.fault("safety", fmt::format("\"safety\" is {:g}; expected {}", *safety, safety_expected));
@@ -233,7 +237,7 @@ void read_repeat(Fields& root, StudyReading& reading) {
 
 namespace {
 
-/// What both [limit] and [[limits]] say.
+/// The keys that [limit] and [[limits]] share.
 LimitSpec one_limit(Fields& fields, int dim) {
   LimitSpec limit;
   const auto text = fields.text("divisions", Need::required, "cells along the axes, such as \"100x10\"");
@@ -249,7 +253,7 @@ LimitSpec one_limit(Fields& fields, int dim) {
   return limit;
 }
 
-/// Richardson's limit of a ladder: three rungs of that label and scene at least.
+/// Richardson's limit of a ladder: it needs three runs of that label and scene.
 LimitSpec ladder_limit(Fields& fields, const std::string& scene, const StudyReading& reading) {
   const Study& study = reading.study;
   LimitSpec limit;

@@ -11,7 +11,7 @@
 namespace femsph::compare {
 namespace {
 
-/// What counts for one row.
+/// All bounds that hold for a row.
 Bound bound_of(const std::vector<Bound>& bounds, const Row& row) {
   Bound all;
   for (const Bound& b : bounds) {
@@ -25,7 +25,7 @@ Bound bound_of(const std::vector<Bound>& bounds, const Row& row) {
   return all;
 }
 
-/// Everything that a row breaks, in one sentence; empty if it keeps all.
+/// All bounds that a row breaks, in one sentence; empty if it keeps all.
 std::string broken(const Bound& bound, const Row& row) {
   if (!row.failure.empty()) return row.failure;
   std::string text;
@@ -79,15 +79,8 @@ JudgedRow judge_one(const std::vector<Bound>& bounds, const std::vector<Expectat
 }
 
 const char* word(JudgedRow::Verdict verdict) {
-  switch (verdict) {
-    case JudgedRow::Verdict::stable:
-      return "stable";
-    case JudgedRow::Verdict::expected_failure:
-      return "expected-failure";
-    case JudgedRow::Verdict::failed:
-      break;
-  }
-  return "failed";
+  const char* const words[] = {"stable", "expected-failure", "failed"};
+  return words[int(verdict)];
 }
 
 std::string with_unit(const Row& row) {
@@ -112,14 +105,12 @@ std::string csv(const std::vector<JudgedRow>& judged) {
   std::string text =
       "case,method,verdict,reason,energy_drift,momentum_drift,angular_momentum_drift,hourglass_share,"
       "quantity,value,reference,error_percent,steps,cpu_s\r\n";
-  const auto number = [](const std::optional<double>& value) { return value ? csv_number(*value) : ""; };
   for (const JudgedRow& j : judged) {
     const Row& r = *j.row;
-    text += fmt::format(
-        "{},{},{},{},{},{},{},{},{},{},{},{},{},{}\r\n", csv_cell(r.case_name), csv_cell(r.method),
-        word(j.verdict), csv_cell(one_line(j.reason)), number(r.energy_drift), number(r.momentum_drift),
-        number(r.angular_momentum_drift), number(r.hourglass_share), csv_cell(with_unit(r)), number(r.value),
-        number(r.theory), number(r.error_percent), number(r.steps), number(r.cpu_s));
+    text += csv_line({r.case_name, r.method, word(j.verdict), one_line(j.reason), csv_number(r.energy_drift),
+                      csv_number(r.momentum_drift), csv_number(r.angular_momentum_drift),
+                      csv_number(r.hourglass_share), with_unit(r), csv_number(r.value), csv_number(r.theory),
+                      csv_number(r.error_percent), csv_number(r.steps), csv_number(r.cpu_s)});
   }
   return text;
 }

@@ -13,31 +13,32 @@ inline bool listed(const std::vector<std::string>& names, const std::string& nam
   return names.empty() || std::find(names.begin(), names.end(), name) != names.end();
 }
 
-/// Bounds of the rows of some cases, methods and quantity (empty: all). Where several match, the last one
-/// that names a bound counts.
+/// Bounds for the rows of some cases, methods and a quantity (empty: all). Where several match, the last one
+/// that gives a bound counts.
 struct Bound {
   std::vector<std::string> cases, methods;
   std::string quantity;
   std::optional<double> energy_drift, momentum_drift, angular_momentum_drift,
-      hourglass_share;                  ///< shares of 1
-  std::optional<double> error_percent;  ///< of the magnitude of the error against theory or reference
-  std::optional<double> low, high;      ///< of the value, in the unit of the table
+      hourglass_share;                  ///< fractions
+  std::optional<double> error_percent;  ///< largest magnitude of the error against theory or reference
+  std::optional<double> low, high;      ///< smallest and largest value, in the unit of the table
 };
 
-/// A failure that must occur: the run stops, or a row breaks a bound, and says so with some of these words.
+/// Runs that must fail: the run stops, or a row breaks a bound, with a message that contains one of
+/// `messages`.
 struct Expectation {
   std::vector<std::string> cases, methods;
-  std::vector<std::string> messages;  ///< one of them is part of what the failure says
-  std::string reason;                 ///< why it must be so
+  std::vector<std::string> messages;
+  std::string reason;  ///< why they must fail
 };
 
 struct JudgedRow {
   enum class Verdict { stable, expected_failure, failed } verdict = Verdict::failed;
   const Row* row = nullptr;
-  std::string reason;  ///< what broke; empty if nothing did
+  std::string reason;  ///< broken bounds or the failure; empty if there are none
 };
 
-/// From the rows alone. An expected failure that does not occur is a failed row.
+/// An expected failure that does not occur is a failed row.
 std::vector<JudgedRow> judge(const std::vector<Bound>& bounds, const std::vector<Expectation>& expectations,
                              const std::vector<Row>& rows);
 

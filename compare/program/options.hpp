@@ -1,0 +1,24 @@
+#pragma once
+// The subcommands with their options, which the command line, the manual page and the completion of a shell
+// are made of. Each add_.. returns the subcommand; its options write into `c`.
+
+#include "compare/program/commands.hpp"
+
+namespace CLI {
+class App;
+}
+
+namespace femsph::compare {
+
+/// What the program returns, for the end of every help text.
+extern const char* const exit_codes;
+
+CLI::App* add_study(CLI::App& app, StudyCommand& c);
+CLI::App* add_run(CLI::App& app, RunCommand& c);
+CLI::App* add_resume(CLI::App& app, ResumeCommand& c);
+CLI::App* add_check(CLI::App& app, RunCommand& c);
+CLI::App* add_point(CLI::App& app, PointCommand& c);
+CLI::App* add_advise(CLI::App& app, AdviseCommand& c);
+CLI::App* add_help(CLI::App& app, HelpCommand& c);
+
+}  // namespace femsph::compare
