@@ -21,7 +21,7 @@ void limit(decltype(RLIMIT_CPU) what, rlim_t most) {
 }
 
 #if !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__) && \
-    !defined(FEMSPH_FUZZING)  // their shadow is terabytes
+    !defined(FEMSPH_FUZZING)  // the shadow memory of sanitizers takes terabytes
 std::size_t address_space() {
   std::size_t pages = 0;
   if (std::FILE* file = std::fopen("/proc/self/statm", "r")) {
@@ -71,7 +71,7 @@ bool in_child(const std::function<std::string()>& work, const ChildLimits& limit
       done = write_all(ends[1], work());
     } catch (...) {
     }
-    _exit(done ? 0 : 1);  // no destructors: they are the parent's
+    _exit(done ? 0 : 1);  // no destructors, which would act on the parent's resources
   }
   close(ends[1]);
   result.clear();
