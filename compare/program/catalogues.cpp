@@ -39,8 +39,7 @@ std::vector<Entry> theory_entries() {
 std::vector<Entry> effects_entries() {
   std::vector<Entry> all;
   for (const EffectEntry& effect : effects()) {
-    const std::string word = effect.word.empty() ? effect.word_off : effect.word;
-    all.push_back({word, effect.about + (effect.asked_by.empty() ? "" : ": " + effect.asked_by)});
+    all.push_back({effect.word, effect.about + (effect.asked_by.empty() ? "" : ": " + effect.asked_by)});
   }
   return all;
 }

@@ -11,7 +11,7 @@ std::vector<Fault> in_order(std::vector<Fault> faults) {
   std::stable_sort(faults.begin(), faults.end(), [](const Fault& a, const Fault& b) {
     return a.line != b.line ? a.line < b.line : a.column < b.column;
   });
-  constexpr std::size_t most = 1000;  // more are not read by anyone
+  constexpr std::size_t most = 1000;  // more are of no use
   if (faults.size() > most) faults.erase(faults.begin() + most, faults.end());
   return faults;
 }
@@ -26,9 +26,9 @@ std::string message(const std::string& file, const std::vector<Fault>& faults) {
   return all;
 }
 
-// Damerau-Levenshtein distance in its "optimal string alignment" form: three rows of the table of prefix
-// distances. The four kinds of slip it counts are most of all spelling errors: F. J. Damerau, Commun. ACM 7
-// (1964) 171.
+// Damerau-Levenshtein distance in its "optimal string alignment" form, with three rows of the table of
+// distances of prefixes. It counts the four kinds of errors that most misspellings consist of (F. J. Damerau,
+// Commun. ACM 7 (1964) 171).
 std::size_t edit_distance(std::string_view a, std::string_view b) {
   std::vector<std::size_t> before(b.size() + 1), last(b.size() + 1), row(b.size() + 1);
   for (std::size_t j = 0; j <= b.size(); ++j) last[j] = j;
@@ -71,7 +71,7 @@ std::string one_of(const std::vector<std::string>& names) {
 }
 
 std::string did_you_mean(std::string_view word, const std::vector<std::string>& names) {
-  constexpr std::size_t longest = 60, most = 1000;  // keep the cost small for whatever bytes a file holds
+  constexpr std::size_t longest = 60, most = 1000;  // limit the cost for arbitrary input
   if (word.size() > longest || names.size() > most) return "";
   const std::string* best = nullptr;
   std::size_t least = std::max<std::size_t>(1, word.size() / 3) + 1;

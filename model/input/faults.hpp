@@ -1,5 +1,5 @@
 #pragma once
-// What is wrong with an input file, collected so that the user sees all of it at once.
+// Errors ("faults") in input files, collected so that the user sees all of them at once.
 
 #include <stdexcept>
 #include <string>
@@ -8,7 +8,7 @@
 
 namespace femsph {
 
-/// Where in the file something was written (1-based); line 0: not from a file.
+/// A position in a file, counted from 1; line 0: not from a file.
 struct Source {
   int line = 0, column = 0;
 };
@@ -31,14 +31,13 @@ class InputError : public std::runtime_error {
   std::vector<Fault> faults_;
 };
 
-/// A method that cannot do what a scene asks for, in one sentence: a refusal before the first step, and no
-/// fault of the scene.
+/// A method cannot run a scene that is correct. The message is one sentence. Thrown before the first step.
 class Refusal : public std::runtime_error {
  public:
   using std::runtime_error::runtime_error;
 };
 
-/// The list that grows while a file is read.
+/// The faults found so far while a file is read.
 class Faults {
  public:
   void add(Source at, std::string text) { list_.push_back({at.line, at.column, std::move(text)}); }
@@ -60,8 +59,8 @@ std::string in_quotes(std::string_view text);
 /// "a", "b" or "c" (quoted), for messages.
 std::string one_of(const std::vector<std::string>& names);
 
-/// "; did you mean "x"?" for the name closest to `word`, empty when none is close.
-/// Close: at most a third of its letters (and at least one) inserted, removed, replaced or swapped with a
+/// "; did you mean "x"?" with the name that is most similar to `word`; empty if none is similar, that is, if
+/// more than a third of its letters (and more than one) are inserted, removed, replaced or swapped with a
 /// neighbour.
 std::string did_you_mean(std::string_view word, const std::vector<std::string>& names);
 

@@ -12,7 +12,7 @@ namespace {
 
 constexpr std::size_t columns = 110;
 
-/// `text` in lines of at most `columns`; all but the first are indented.
+/// `text` wrapped to at most `columns`; all lines but the first are indented.
 std::string wrapped(const std::string& text, std::size_t indent) {
   std::string out, line;
   std::size_t begin = 0;

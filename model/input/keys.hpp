@@ -1,7 +1,7 @@
 #pragma once
-// What the keys of a table mean, said beside the code that reads them. The pages of keys (femsph help scene,
-// femsph help study, docs/) are made of these tables, and Fields refuses to ask for a key that its table does
-// not state, so that page and reader cannot differ.
+// Descriptions of tables and keys, which stand beside the code that reads them. The pages of keys (femsph
+// help scene, femsph help study, docs/) are made from them. Fields refuses to read a key that its table does
+// not describe, so that page and reader cannot differ.
 
 #include <string>
 #include <vector>
@@ -13,17 +13,17 @@ namespace femsph {
 /// One key of a table.
 struct Key {
   std::string name;   ///< "young"
-  std::string holds;  ///< what stands behind it; it contains what `key_holds` below says of its getter
+  std::string holds;  ///< its kind of value: contains the text of `key_holds` for the function that reads it
   std::string about;  ///< one line
   bool required = false;
-  std::string when = {};  ///< when an optional key is required: "unless \"point\" is given"
+  std::string when = {};  ///< the case in which an optional key is required: "unless \"point\" is given"
 };
 
-/// What every entry of a catalogue says of itself: a law, shape, effect, quantity, theory value, element, ..
+/// An entry of a catalogue: a law, shape, effect, quantity, theory value, element, ..
 struct Entry {
   std::string word;            ///< what the user writes
   std::string about;           ///< one line
-  std::vector<Key> keys = {};  ///< that it adds to its table
+  std::vector<Key> keys = {};  ///< the keys that it adds to its table
 };
 
 /// A table of an input file.
@@ -31,14 +31,14 @@ struct KeyTable {
   std::string header;  ///< as a user writes it: "[materials.NAME]", "[[loads]]"; "" for the file's top level
   std::string about;   ///< one line
   std::vector<Key> keys;
-  std::string chooses = {};         ///< the key that names one of `entries`
-  std::vector<Entry> entries = {};  ///< of a catalogue; their keys belong to this table too
+  std::string chooses = {};         ///< the key whose value is the word of one of `entries`
+  std::vector<Entry> entries = {};  ///< a catalogue; the keys of its entries belong to this table too
   bool required = false;
   std::string path() const;  ///< "materials.NAME", "loads"
   std::vector<const Key*> named(const std::string& key) const;
 };
 
-/// All tables of a kind of file, in the order in which people write them.
+/// All tables of a kind of file.
 struct KeyPage {
   std::string title, about;
   std::vector<KeyTable> tables;
@@ -46,10 +46,10 @@ struct KeyPage {
   const KeyTable& at(const std::string& path) const;
 };
 
-/// The page for people: Markdown that reads well in a terminal too, at most 110 columns.
+/// The page as Markdown, at most 110 columns wide.
 std::string to_markdown(const KeyPage& page);
 
-/// What a getter of Fields finds in Key::holds.
+/// The texts for Key::holds, one for each kind of value that Fields can read.
 namespace key_holds {
 inline const std::string text = "a text", texts = "a list of texts", number = "a number",
                          numbers = "a list of numbers", flag = "true or false", count = "a whole number",

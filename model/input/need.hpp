@@ -1,6 +1,6 @@
 #pragma once
-// The words in which Fields (toml_fields.hpp) is asked for a key, apart from Fields itself, whose header
-// brings the TOML library: kernels include the laws, and laws say which keys they read.
+// Arguments of the functions of Fields (toml_fields.hpp). They are separate because the header of Fields
+// includes the TOML library, and kernels include the laws, which declare how they read their keys.
 
 #include "model/input/units.hpp"
 

@@ -1,16 +1,16 @@
 #pragma once
-// Reading a TOML table key by key, so that every fault is found, placed and explained; for scenes and for
+// Reads a TOML table key by key, and reports each fault with its place and what was expected; for scenes and
 // studies.
 //
 //   Fields root(table, "", faults, scene_page());
 //   auto fields = root.table("time", Need::required, "a table with a duration");
 //   const auto duration = fields->quantity("duration", Need::required, dimension::time, Sign::positive);
-//   fields->done();                // reports the keys that nobody asked for
+//   fields->done();                // reports keys that have not been read
 //   faults.raise(file);            // at the very end
 //
-// A getter returns nothing when the key is absent or faulty; in the second case, and when a required key is
-// absent, it has added a Fault. So the caller goes on with the rest of the file and never reports the same
-// thing twice. A getter that asks for what the table's keys (keys.hpp) do not state throws std::logic_error.
+// A function that reads a key returns nothing if the key is absent or faulty. It adds a Fault if the key is
+// faulty, or absent and required. So the caller continues with the rest of the file, and no fault is reported
+// twice. Reading a key that the description of the table (keys.hpp) does not contain throws std::logic_error.
 
 #include <toml++/toml.h>
 
@@ -29,14 +29,15 @@ namespace femsph {
 
 class Fields {
  public:
-  /// The top level of a file whose tables and keys `page` states. Table and page must outlive the Fields.
+  /// The top level of a file whose tables and keys `page` describes. Table and page must outlive the Fields.
   Fields(const toml::table& table, Faults& faults, const KeyPage& page);
-  /// A table without a page; `name` is how messages call it: "[[runs]]"; empty for the file's top level.
+  /// A table without a description; `name` is its name in messages: "[[runs]]"; empty for the top level of
+  /// the file.
   Fields(const toml::table& table, std::string name, Faults& faults);
 
   const std::string& name() const { return name_; }
-  Source source() const;                      ///< of the table
-  Source source(std::string_view key) const;  ///< of the key's value; of the table if it is absent
+  Source source() const;                      ///< position of the table
+  Source source(std::string_view key) const;  ///< position of the value; of the table if the key is absent
   bool has(std::string_view key) const { return table_->contains(key); }
   bool holds_table(std::string_view key) const { return has(key) && table_->get(key)->is_table(); }
   void fault(std::string_view key, std::string text) const {
@@ -56,11 +57,11 @@ class Fields {
                                  Sign sign = Sign::any);
   std::optional<std::vector<double>> quantities(const char* key, Need need, const Dimension& dimension,
                                                 Sign sign = Sign::any);
-  /// A vector of `dim` components in SI; dim 0: two or three will do (the dimension of the scene is itself at
-  /// fault).
+  /// A vector of `dim` components in SI; dim = 0 (not known, after a fault): two or three components are
+  /// accepted.
   std::optional<Point> vector(const char* key, Need need, const Dimension& dimension, int dim,
                               Sign sign = Sign::any);
-  /// `dim` rows of `dim` values each, quantities in SI; plain numbers without a dimension.
+  /// `dim` rows of `dim` values each, in SI; plain numbers if `dimension` is null.
   std::optional<std::array<Point, 3>> matrix(const char* key, Need need, const Dimension* dimension, int dim);
   /// Two such vectors: the lower and the upper corner of a box.
   std::optional<std::pair<Point, Point>> corners(const char* key, Need need, const Dimension& dimension,
@@ -72,26 +73,28 @@ class Fields {
   std::optional<Fields> table(const char* key, Need need, const std::string& expected);
   /// The tables of [[key]].
   std::vector<Fields> tables(const char* key);
-  /// The tables [key.NAME] with their names, in the order of the file. What stands there and is no table is
-  /// a fault, and comes as Fields without keys that report nothing more: others may refer to its name.
+  /// The tables [key.NAME] with their names, in the order of the file. A value there that is no table is a
+  /// fault; it is returned as Fields without keys that report no further fault, since other tables may refer
+  /// to its name.
   std::vector<std::pair<std::string, Fields>> named_tables(const char* key, Need need,
                                                            const std::string& expected);
 
-  /// Takes a key as known, whatever it holds: a fault elsewhere hides what it should.
+  /// Accepts a key with any value, where a fault elsewhere makes it impossible to check it.
   void accept(const char* key) { asked_.emplace_back(key); }
-  /// Takes every key as known: a fault elsewhere hides what the table should hold.
+  /// Accepts all keys, where a fault elsewhere makes it impossible to check them.
   void accept_rest();
-  /// Reports every key of the table that no getter has asked for.
+  /// Adds a fault for every key of the table that has not been read.
   void done();
 
  private:
   Fields(const toml::table& table, std::string name, const Fields& parent, const std::string& path);
   std::string path_of(const std::string& key) const { return path_.empty() ? key : path_ + "." + key; }
-  /// Throws std::logic_error unless the table's keys state `key` with this need, holding all of `held`.
+  /// Throws std::logic_error unless the description of the table contains `key` with this need, and with all
+  /// texts of `held` in Key::holds.
   void require_stated(const std::string& key, Need need, const std::vector<std::string>& held) const;
-  /// The same for a table of its own.
+  /// The same for a key that is a table.
   void require_table(const std::string& key, Need need) const;
-  /// `held` is empty for tables, which require_table has looked up.
+  /// `held` is empty for tables, which require_table() has checked.
   const toml::node* find(const char* key, Need need, const std::string& expected,
                          const std::vector<std::string>& held);
   const toml::array* array(const char* key, Need need, const std::string& expected,
@@ -109,10 +112,10 @@ class Fields {
   const toml::table* table_;
   std::string name_;
   Faults* faults_;
-  bool blind_ = false;  ///< it stands for what is no table: all is absent, and nothing is a fault
+  bool blind_ = false;  ///< a stand-in for a value that is no table: all keys are absent, no fault is added
   const KeyPage* page_ = nullptr;
-  std::string path_;                ///< in the page
-  const KeyTable* keys_ = nullptr;  ///< null: the table may hold what its reader asks for
+  std::string path_;                ///< of the table in the page: "materials.NAME"
+  const KeyTable* keys_ = nullptr;  ///< null: the keys are not described
   std::vector<std::string> asked_;
 };
 
@@ -125,12 +128,15 @@ std::optional<T> Fields::choice(const char* key, Need need,
   return chosen ? std::optional<T>(choices[*chosen].second) : std::nullopt;
 }
 
-/// Files that people write are refused beyond 16 MiB; data may have any length.
+/// Where a value stands in its file.
+Source source_of(const toml::node& node);
+
+/// Files that are written by hand are refused beyond 16 MiB; data files may have any length.
 enum class Length { by_hand, any };
-/// All bytes of a file; `what` says what it should be ("a scene file"). Throws InputError.
+/// The content of a file; `what` is what it should be ("a scene file"), for messages. Throws InputError.
 std::string read_text_file(const std::string& file, const std::string& what, Length length = Length::by_hand);
 
-/// Any bytes to a table, or InputError with the place of the syntax error.
+/// Parses a text, which may be any bytes. Throws InputError with the place of a syntax error.
 toml::table parse_toml(const std::string& text, const std::string& file);
 
 }  // namespace femsph

@@ -1,4 +1,4 @@
-// From bytes to a TOML table: total, whatever the bytes are.
+// Reads and parses TOML files; safe for arbitrary bytes.
 
 #include <fmt/format.h>
 
@@ -13,14 +13,13 @@
 namespace femsph {
 namespace {
 
-constexpr std::size_t largest_file = 1 << 24;  // bytes; scenes and studies are written by hand, a load's
-                                               // history of some 100,000 points included
+constexpr std::size_t largest_file =
+    1 << 24;  // bytes; enough for a file written by hand, also with a load history of 100,000 points
 
-// toml++ bounds the depth of values in brackets, but not of dotted keys: a.a.a. ... nests one table a dot,
-// and destroying a deep tree of tables would overflow the stack. A key fits on one line. In a chain of keys
-// every dot but the first is counted: it either does not sit between two digits, or only characters of a bare
-// key lie between it and the dot before. Decimal points of listed numbers have a comma or a quote between
-// them and are not counted.
+// toml++ limits the depth of nested brackets, but not that of dotted keys: each dot of a.a.a. ... creates a
+// nested table, and destroying a deep tree of tables would overflow the stack. Therefore the dots of dotted
+// keys are counted in each line. A dot between two digits counts only if there is no separator (comma, quote,
+// bracket) between it and the dot before, so that decimal points in lists of numbers do not count.
 Source too_many_dots(const std::string& text) {
   constexpr int most = 32;
   const auto digit = [&](std::size_t i) { return i < text.size() && text[i] >= '0' && text[i] <= '9'; };
@@ -34,7 +33,7 @@ Source too_many_dots(const std::string& text) {
       separated = true;
     } else if (text[i] == '.') {
       const bool decimal = i > 0 && digit(i - 1) && digit(i + 1) && separated;
-      const bool rule = i > 0 && text[i - 1] == '.';  // "....." is no key
+      const bool rule = i > 0 && text[i - 1] == '.';  // "....." is not a key
       if (!decimal && !rule && ++dots > most) return at;
       separated = false;
     } else if (std::string_view(",=[]{}\"'").find(text[i]) != std::string_view::npos) {
@@ -60,7 +59,7 @@ std::string read_text_file(const std::string& file, const std::string& what, Len
   if (type == std::filesystem::file_type::not_found) refuse(file, {}, "no such file; expected " + what);
   if (type == std::filesystem::file_type::directory) refuse(file, {}, "is a directory; expected " + what);
   if (type != std::filesystem::file_type::regular &&
-      type != std::filesystem::file_type::none)  // opening a pipe could wait for ever
+      type != std::filesystem::file_type::none)  // opening a pipe could block
     refuse(file, {}, "is a pipe or a device; expected " + what);
   std::ifstream in(file, std::ios::binary);
   if (!in) refuse(file, {}, "cannot be read (permission?); expected " + what);

@@ -20,7 +20,7 @@ namespace {
 using UnitHandle = std::unique_ptr<ut_unit, decltype(&ut_free)>;
 using Converter = std::unique_ptr<cv_converter, decltype(&cv_free)>;
 
-// Reading the unit database takes milliseconds, so it is done once; it lives as long as the program.
+// Reading the unit database takes milliseconds, so it is read once and kept.
 ut_system* unit_system() {
   static ut_system* const system = [] {
     ut_set_error_message_handler(ut_ignore);
@@ -47,7 +47,8 @@ struct Written {
   std::string unit;
 };
 
-// The number is split off by hand: UDUNITS-2 has no zero ("0 N" is not a unit), and reads "1/s" but not "/s".
+// The number is parsed here, because UDUNITS-2 does not accept zero ("0 N" is no unit), and accepts "1/s" but
+// not "/s".
 Written split(const std::string& quantity, const std::string& expected) {
   constexpr std::size_t longest = 80;
   if (quantity.size() > longest)
@@ -70,7 +71,7 @@ Written split(const std::string& quantity, const std::string& expected) {
   return {number, fmt::format("{}{}", rest[0] == '/' ? "1" : "", rest)};
 }
 
-/// The unit has an angle in it, such as rad/s, degree/s or rpm.
+/// Whether the unit contains an angle, such as rad/s, degree/s or rpm.
 bool has_angle(const ut_unit* unit) {
   char text[256];
   const int length = ut_format(
@@ -79,7 +80,7 @@ bool has_angle(const ut_unit* unit) {
                            std::string_view::npos;
 }
 
-/// A frequency by name: "Hz", "kHz", "hertz"; or an angle, where none belongs.
+/// Refuses a rate of rotation without an angle, and a rate with an angle or in hertz.
 void refuse_ambiguous(const Written& written, const ut_unit* unit, const std::string& quantity,
                       const Dimension& dimension) {
   const bool angle = has_angle(unit);
@@ -101,9 +102,8 @@ void refuse_ambiguous(const Written& written, const ut_unit* unit, const std::st
 bool is_letter(char c) { return std::isalpha((unsigned char)c) || c == '_'; }
 bool is_digit(char c) { return std::isdigit((unsigned char)c); }
 
-// UDUNITS-2 multiplies by any number in a unit, so that "1 500 mm" would be half a metre and "1-2 mm" -2 mm.
-// An exponent follows letters, "^", "**" or a sign after these; "1/s" is the one number that units start
-// with.
+// UDUNITS-2 multiplies by numbers in a unit, so that it would read "1 500 mm" as 0.5 m and "1-2 mm" as -2 mm.
+// Allowed are exponents (after letters, "^" or "**", with or without a sign) and the 1 of "1/s".
 bool holds_a_number(std::string_view unit) {
   if (unit.starts_with("1/")) unit.remove_prefix(2);
   for (std::size_t i = 0; i < unit.size(); ++i) {
@@ -120,7 +120,7 @@ bool holds_a_number(std::string_view unit) {
   return false;
 }
 
-/// Words that people use for two units, and what to write instead.
+/// Ambiguous unit names, and what to write instead.
 struct Double {
   const char *word, *what, *instead;
 };
@@ -135,7 +135,7 @@ constexpr Double doubles[] = {
      "\"kN\", or \"kip\" for 1000 pounds"},
 };
 
-/// One of these words stands in the unit, by itself or behind a prefix ("kton", "megaton").
+/// The ambiguous name that the unit contains, also with a prefix ("kton", "megaton"); null if there is none.
 const Double* read_in_two_ways(const std::string& unit) {
   static const std::vector<std::string> prefixes = {"", "k", "M", "m", "G", "kilo", "mega", "milli", "giga"};
   for (std::size_t i = 0, j; i < unit.size(); i = j + 1) {
@@ -170,7 +170,7 @@ double to_si(const std::string& quantity, const Dimension& dimension) {
         "unknown unit {} in {}; expected {}", in_quotes(written.unit), in_quotes(quantity), expected));
   const Converter converter(
       ut_are_convertible(unit.get(), si.get()) ? ut_get_converter(unit.get(), si.get()) : nullptr, cv_free);
-  // UDUNITS-2 also converts scales with a shifted origin and logarithms; those are not factors.
+  // UDUNITS-2 also converts logarithmic scales and those with a shifted origin, which are refused.
   if (!converter || cv_convert_double(converter.get(), 0.0) != 0.0)
     throw std::invalid_argument(
         fmt::format("{} is not {}; expected {}", in_quotes(quantity), dimension.name, expected));

@@ -1,18 +1,18 @@
 #pragma once
-// Quantities with their units at the border of the program, SI inside: "25 kN" -> 25000.
+// Quantities with units in input files, converted to SI: "25 kN" -> 25000.
 
 #include <string>
 
 namespace femsph {
 
-/// What kind of quantity a key holds, in the words of the user.
+/// A kind of quantity.
 struct Dimension {
-  const char* si;       ///< the unit in which the program keeps it
-  const char* name;     ///< with its article: "a length"
+  const char* si;       ///< its SI unit
+  const char* name;     ///< its name with the article: "a length"
   const char* example;  ///< "10 mm"
-  /// What an angle has to do with it. UDUNITS takes a radian for 1 and a hertz for 1/s, so that "1 Hz" would
-  /// be a spin of 1 rad/s to it and of 2 pi rad/s to most: a quantity that can be read in two ways is
-  /// refused.
+  /// Whether its unit must contain an angle (rotation), must not (rate), or does not matter. For UDUNITS a
+  /// radian is 1 and a hertz is 1/s, so that it reads "1 Hz" as 1 rad/s, where most people mean 2 pi rad/s:
+  /// ambiguous quantities are refused.
   enum class Angle { none, must, foreign_to_rate } angle = Angle::none;
 };
 
@@ -35,19 +35,18 @@ inline constexpr Dimension density{"kg/m^3", "a density", "7850 kg/m^3"};
 /// "a length with its unit, such as "10 mm"", for messages.
 std::string expected_quantity(const Dimension& dimension);
 
-/// A quantity such as "1000 mm" in SI. The result is finite, and zero or of a magnitude between 1e-60 and
-/// 1e60, so that sums, products and quotients of a few of them neither overflow nor vanish. Throws
-/// std::invalid_argument with a sentence that says what was expected. Not safe from several threads at once
-/// (nor is UDUNITS-2).
+/// Converts a quantity such as "1000 mm" to SI. The result is zero, or its magnitude lies between 1e-60 and
+/// 1e60, so that products and quotients of a few such numbers do not overflow or underflow. Throws
+/// std::invalid_argument with a sentence that says what was expected. Not thread-safe, as UDUNITS-2.
 double to_si(const std::string& quantity, const Dimension& dimension);
 
-/// A unit of the tables: one of it is `factor` SI units.
+/// A unit of output tables: `factor` SI units.
 struct Unit {
   std::string name;
   double factor = 1;
 };
 
-/// A unit that measures what `si` measures: "mm" for "m". Throws std::invalid_argument.
+/// The unit `name`, of the same kind as the unit `si`: "mm" for "m". Throws std::invalid_argument.
 Unit unit_named(const std::string& name, const std::string& si);
 
 }  // namespace femsph

@@ -1,5 +1,5 @@
 #pragma once
-// The one-dimensional law of reinforcing bars, and the strain that it sees.
+// The uniaxial law of reinforcing bars, and their axial strain.
 
 #include <algorithm>
 #include <cmath>
@@ -10,7 +10,7 @@
 
 namespace femsph {
 
-/// What a point of a bar remembers.
+/// The history of a point of a bar.
 struct BarState {
   double stress = 0;  ///< Pa
   double plastic_strain = 0;
@@ -27,8 +27,8 @@ struct BarLaw {
     return {young, law.yield, law.hardening, density};
   }
 
-  /// Stress of the total strain; advances the state. The plastic work is counted by the trapezoid of stress,
-  /// as the march counts the work of its forces, so that the energy ledger closes.
+  /// The stress at the total strain; advances the state. Plastic work is computed with the mean stress of the
+  /// step, like the work of all forces, so that the energy balance closes.
   double advance(double strain, BarState& s) const {
     const double before = s.stress;
     s.stress = young * (strain - s.plastic_strain);
@@ -49,9 +49,9 @@ struct BarLaw {
   }
 };
 
-/// Stretch of a bar along axis a: the column g = du/dX_a of the displacement gradient gives its strain and
-/// the direction in which it pulls. Small strain: g_a and e_a. Finite rotation: |e_a + g| - 1 and (e_a +
-/// g)/|e_a + g|, which are work conjugate.
+/// The axial strain of a bar along axis a, and the direction `pull` of its force, from the column g = du/dX_a
+/// of the displacement gradient. Small motion: g_a and e_a. Large motion: |e_a + g| - 1 and (e_a + g)/|e_a +
+/// g|, which are work conjugate.
 template <class Kinematics, int dim>
 double bar_strain(const double (&g)[dim], int a, double (&pull)[dim]) {
   for (int r = 0; r < dim; ++r) pull[r] = r == a ? 1.0 : 0.0;

@@ -1,12 +1,12 @@
 #pragma once
-// What a discretization needs to know of a law to say how much stress its points can bear.
+// For discretizations: the yield stress of their material points.
 
 #include "model/material/kinematics.hpp"
 #include "model/material/law.hpp"
 
 namespace femsph {
 
-/// Null for laws without von Mises plasticity.
+/// The von Mises plasticity of a law; null if it has none.
 template <class LawType>
 const Plasticity* plasticity_of(const LawType& law) {
   if constexpr (requires { LawType::plasticity(law.parameters); })
@@ -15,11 +15,11 @@ const Plasticity* plasticity_of(const LawType& law) {
     return nullptr;
 }
 
-/// Cauchy stress over the law's stress of a point. `across` is the stretch - 1 normal to the plane.
+/// The ratio of the Cauchy stress to the law's stress. `across`: stretch - 1 normal to the plane, in 2D.
 template <class Kinematics, int dim>
 double cauchy_share(const Symmetric<double, dim>& strain, double across) {
   if constexpr (std::is_same_v<Kinematics, LargeStrain>)
-    return 1 / ((1 + growth(strain)) * (1 + (dim == 2 ? across : 0.0)));
+    return 1 / ((1 + volume_change(strain)) * (1 + (dim == 2 ? across : 0.0)));
   else
     return 1;
 }

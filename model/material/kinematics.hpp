@@ -1,28 +1,34 @@
 #pragma once
-// From the displacement gradient of a material point to its first Piola-Kirchhoff stress: the piece between
-// "gradient" and "divergence" that both solvers share. Total Lagrangian; three kinds of motion:
-//   SmallStrain      strain = sym H, P = sigma
-//   FiniteRotation   F = I + H = R U; the law sees U - I in the co-rotated frame and gives its work conjugate
-//   T (Biot stress); P = R T.
-//                    Exact under any rigid rotation (see e.g. Ogden, Non-Linear Elastic Deformations, 2.2
-//                    and 3.5). For laws with an energy, whose T is coaxial with U.
-//   LargeStrain      for laws that carry their stress from step to step: they see the co-rotated rate of
-//   deformation, times the step,
-//                      d = sym(dU Umid^-1),  Umid = (U_n + U_n+1)/2,
-//                    and what they give is the co-rotated Kirchhoff stress tau = J R^T sigma R, which works
-//                    on d per undeformed volume. So a metal's yield stress is (to its small elastic strain of
-//                    volume) a true stress, and its stretches add up as logarithms. The rate of tau is the
-//                    Green-Naghdi rate (Simo & Hughes, Computational Inelasticity, 8.3). P = R tau U^-1, so
-//                    that P F^T = R tau R^T is symmetric: angular momentum is kept whatever tau.
+// From the displacement gradient H = du/dX of a material point to the first Piola-Kirchhoff stress P: what
+// both solvers do between "gradient" and "divergence". Everything refers to the undeformed body (total
+// Lagrangian), F = 1 + H. Three kinds of kinematics:
+//
+// SmallStrain: strain = sym H, P = sigma.
+//
+// FiniteRotation, for laws with a strain energy: F = R U. The law gets the strain U - 1 in the co-rotated
+// frame and returns the Biot stress T, which is work conjugate to it; P = R T. This holds because the T of an
+// isotropic law is coaxial with U. It is exact under any rigid rotation (e.g. Ogden, Non-Linear Elastic
+// Deformations, 2.2 and 3.5).
+//
+// LargeStrain, for laws that carry their stress from step to step: the law gets the co-rotated rate of
+// deformation times the step,
+//   d = sym(dU Umid^-1),  Umid = (U_n + U_n+1)/2,
+// and returns the co-rotated Kirchhoff stress tau = J R^T sigma R, which is work conjugate to d per
+// undeformed volume. So the yield stress of a metal is a true stress (but for its small elastic change of
+// volume), and its plastic strain a logarithmic one. The objective rate of tau is that of Green and Naghdi
+// (Simo & Hughes, Computational Inelasticity, 8.3). P = R tau U^-1, so that P F^T = R tau R^T is symmetric:
+// angular momentum is conserved whatever tau is.
 
 #include <type_traits>
 
 #include "model/material/law.hpp"
 #include "model/material/laws/stretch.hpp"
+#include "model/material/polar.hpp"
 
 namespace femsph {
 
-/// The law's strain is a difference of two: increments add up, and the law's stress is conjugate to it.
+/// Kinematics whose strain increment is the difference of two strains, and whose stress is conjugate to the
+/// strain.
 struct AddedStrain {
   template <class T, int dim>
   FEMSPH_INLINE static Symmetric<T, dim> increment(const Symmetric<T, dim>& before,
@@ -31,7 +37,7 @@ struct AddedStrain {
     for (int k = 0; k < symmetric_size<dim>; ++k) d[k] = now[k] - before[k];
     return d;
   }
-  /// The stress that works on the rate of `strain`, of the law's stress.
+  /// The stress that is work conjugate to the rate of `strain`, from the stress of the law.
   template <class T, int dim>
   FEMSPH_INLINE static Symmetric<T, dim> conjugate(const Symmetric<T, dim>&,
                                                    const Symmetric<T, dim>& stress) {
@@ -58,136 +64,6 @@ struct SmallStrain : AddedStrain {
       for (int j = 0; j < dim; ++j) P[i][j] = s(i, j);
   }
 };
-
-/// F = R U in space.
-template <class T>
-struct Polar {
-  Tensor<T, 3> R;
-  Symmetric<T, 3> strain, shrink;  ///< U - 1 and U^-1 - 1
-};
-
-/// F^T F - 1
-template <class T>
-FEMSPH_INLINE Symmetric<T, 3> green(const Tensor<T, 3>& F) {
-  Symmetric<T, 3> G;
-  for (int i = 0; i < 3; ++i)
-    for (int j = i; j < 3; ++j) {
-      const T g = F[0][i] * F[0][j] + F[1][i] * F[1][j] + F[2][i] * F[2][j];
-      G(i, j) = i == j ? g - 1.0 : g;
-    }
-  return G;
-}
-
-/// The decomposition of F by the series of U^-1 = (1 + G)^-1/2 to G^n, G = F^T F - 1: leaves less than
-/// |G|^(n+1)/2. By Cayley and Hamilton's G^3 = I1 G^2 - I2 G + I3 every power is a sum of 1, G and G^2, so
-/// that a term takes three multiplications.
-template <int n, class T>
-FEMSPH_INLINE void polar_series(const Tensor<T, 3>& F, const Symmetric<T, 3>& G, Polar<T>& p) {
-  constexpr double c[11] = {
-      0,
-      -1.0 / 2,
-      3.0 / 8,
-      -5.0 / 16,
-      35.0 / 128,
-      -63.0 / 256,
-      231.0 / 1024,
-      -429.0 / 2048,
-      6435.0 / 32768,
-      -12155.0 / 65536,
-      46189.0 / 262144};
-  const T xy = G[0] * G[1] - G[3] * G[3], yz = G[1] * G[2] - G[4] * G[4], zx = G[2] * G[0] - G[5] * G[5];
-  const T I1 = trace(G), I2 = xy + yz + zx,
-          I3 = G[0] * yz + G[3] * (G[4] * G[5] - G[3] * G[2]) + G[5] * (G[3] * G[4] - G[1] * G[5]);
-  T a = broadcast<T>(c[n - 2]), b = broadcast<T>(c[n - 1]), g = broadcast<T>(c[n]);  // a + b G + g G^2
-#pragma GCC unroll 8
-  for (int k = n - 3; k >= 0; --k) {
-    const T above = b;
-    b = a - g * I2;
-    a = c[k] + g * I3;
-    g = above + g * I1;
-  }
-  const T sa = a + g * I3, sb = 1.0 + a + b - g * I2, sg = b + g + g * I1;  // U - 1 = (1 + G) U^-1 - 1
-  Symmetric<T, 3> G2;
-  for (int i = 0; i < 3; ++i)
-    for (int j = i; j < 3; ++j) G2(i, j) = G(i, 0) * G(0, j) + G(i, 1) * G(1, j) + G(i, 2) * G(2, j);
-  for (int k = 0; k < 6; ++k) {
-    p.shrink[k] = b * G[k] + g * G2[k];
-    p.strain[k] = sb * G[k] + sg * G2[k];
-  }
-  for (int k = 0; k < 3; ++k) p.shrink[k] += a, p.strain[k] += sa;
-  for (int i = 0; i < 3; ++i)
-    for (int j = 0; j < 3; ++j)
-      p.R[i][j] = F[i][j] + (F[i][0] * p.shrink(0, j) + F[i][1] * p.shrink(1, j) + F[i][2] * p.shrink(2, j));
-}
-
-/// Stretches far from 1, where few points are: Newton's X <- (X + X^-T)/2 (Higham 1986) until |G| < 1/2, then
-/// the series until one leaves nothing.
-template <class T>
-[[gnu::noinline]] void polar_far(const Tensor<T, 3>& F, Polar<T>& p) {
-  p.R = F;
-  for (int turn = 0; turn < 20; ++turn) {
-    const Symmetric<T, 3> G = green(p.R);
-    const T size = contract(G, G);
-    const Tensor<T, 3> X = p.R;
-    if (any(size > 0.25)) {
-      Tensor<T, 3> C;  // cofactors: X^-T = C / det X
-      for (int i = 0; i < 3; ++i)
-        for (int j = 0; j < 3; ++j) {
-          const int i1 = (i + 1) % 3, i2 = (i + 2) % 3, j1 = (j + 1) % 3, j2 = (j + 2) % 3;
-          C[i][j] = X[i1][j1] * X[i2][j2] - X[i1][j2] * X[i2][j1];
-        }
-      const T r = 0.5 / (X[0][0] * C[0][0] + X[0][1] * C[0][1] + X[0][2] * C[0][2]);
-      for (int i = 0; i < 3; ++i)
-        for (int j = 0; j < 3; ++j) p.R[i][j] = 0.5 * X[i][j] + C[i][j] * r;
-      continue;
-    }
-    polar_series<10>(X, G, p);
-    if (!any(size > 1.5e-3)) break;
-  }
-  for (int i = 0; i < 3; ++i)
-    for (int j = i; j < 3; ++j) {
-      const T u = p.R[0][i] * F[0][j] + p.R[1][i] * F[1][j] + p.R[2][i] * F[2][j];
-      p.strain(i, j) = i == j ? u - 1.0 : u;
-    }
-  p.shrink = inverse_stretch(p.strain);
-  for (int k = 0; k < 3; ++k) p.shrink[k] -= 1.0;
-}
-
-/// Ends when the error is below 1e-16 in every lane: the series to G^4 for stretches up to 0.04 %, to G^10 up
-/// to 1.9 %.
-template <class T>
-FEMSPH_INLINE void polar(const Tensor<T, 3>& F, Polar<T>& p) {
-  const Symmetric<T, 3> G = green(F);
-  const T size = contract(G, G);  // |G|^2
-  if (any(size > 1.5e-3)) {
-    const Tensor<T, 3> from = F;  // copies: what the kernel holds in registers must not have an address
-    Polar<T> far;
-    polar_far(from, far);
-    p = far;
-  } else if (any(size > 6.5e-7)) {
-    polar_series<10>(F, G, p);
-  } else {
-    polar_series<4>(F, G, p);
-  }
-}
-
-/// Rotation of the polar decomposition F = R U. 2D: closed form. 3D: see above.
-template <class T, int dim>
-FEMSPH_INLINE Tensor<T, dim> polar_rotation(const Tensor<T, dim>& F) {
-  if constexpr (dim == 2) {
-    Tensor<T, dim> R;
-    const T c = F[0][0] + F[1][1], s = F[1][0] - F[0][1];
-    const T r = 1.0 / square_root(c * c + s * s);
-    R[0][0] = R[1][1] = c * r;
-    R[1][0] = s * r;
-    R[0][1] = -s * r;
-    return R;
-  } else {
-    Polar<T> p;
-    polar(F, p);
-    return p.R;
-  }
-}
 
 struct FiniteRotation : AddedStrain {
   template <class T, int dim>
@@ -226,7 +102,7 @@ struct FiniteRotation : AddedStrain {
 };
 
 struct LargeStrain {
-  /// The rotation, and U^-1, which the decomposition in space gives by the way.
+  /// R and U^-1; in space the polar decomposition yields both.
   template <class T, int dim>
   struct Frame : Tensor<T, dim> {
     Symmetric<T, dim> inverse;
@@ -251,8 +127,8 @@ struct LargeStrain {
     return frame;
   }
 
-  /// The midpoint rule: over a stretch by 1 + x in one step it errs by x^3/12, over a path by the square of
-  /// the step.
+  /// By the midpoint rule: the error of a stretch by 1 + x in one step is x^3/12, that along a path of second
+  /// order in the step.
   template <class T, int dim>
   FEMSPH_INLINE static Symmetric<T, dim> increment(const Symmetric<T, dim>& before,
                                                    const Symmetric<T, dim>& now) {
@@ -288,36 +164,36 @@ struct LargeStrain {
   }
 };
 
-/// The kinematics of large motion that a law is made for.
+/// The kinematics of a law in large motion.
 template <class LawType>
 using LargeMotion = std::conditional_t<LawType::path_independent, FiniteRotation, LargeStrain>;
 
-/// Laws that are another one in small strain; no kernel is made for them there.
+/// Laws that reduce to another law in small motion; they are not compiled for SmallStrain.
 template <class LawType>
 concept LargeMotionOnly = requires {
   LawType::large_motion_only;
 };
 
-/// Laws that carry their stress by increments of strain; the others know it from the whole strain alone.
+/// Laws whose stress follows from strain increments; that of the others follows from the total strain alone.
 template <class LawType>
 concept Incremental = requires(const LawType& law, Symmetric<double, 2>& s, double* history) {
   law.update(s, s, history);
 };
 
-/// Doubles of state that a material point of this law keeps between steps: nothing if the stress follows from
-/// the strain, else stress, strain and the law's own history.
+/// Number of doubles that a material point keeps between steps: 0 if the stress follows from the strain, else
+/// stress, strain and the history of the law.
 template <class LawType, int dim>
 inline constexpr int point_state_size =
     LawType::path_independent ? 0 : 2 * symmetric_size<dim> + LawType::template history_size<dim>;
 
-/// Whether most steps read a slot of the law's history: all but the one that it calls seldom.
+/// Whether most steps read this entry of the law's history: all but the one that it names `seldom`.
 template <class LawType>
 constexpr bool often_read(int slot) {
   if constexpr (requires { LawType::seldom; }) return slot != LawType::seldom;
   return true;
 }
 
-/// Where the law's own history stands in that state.
+/// The history of the law within that state; null if it has none.
 template <class LawType, int dim, class T>
 FEMSPH_INLINE T* history_of(T* state) {
   if constexpr (LawType::path_independent)
@@ -326,8 +202,8 @@ FEMSPH_INLINE T* history_of(T* state) {
     return state + 2 * symmetric_size<dim>;
 }
 
-/// strain -> stress of one material point (or of eight): reads and advances `state`
-/// (point_state_size<LawType, dim> values).
+/// The stress at a strain, of one material point (T = double) or of eight (Pack). Reads and advances `state`,
+/// point_state_size<LawType, dim> values.
 template <class LawType, class T, int dim, class Kinematics = SmallStrain>
 FEMSPH_INLINE Symmetric<T, dim> advance_law(const LawType& law, const Symmetric<T, dim>& strain,
                                             [[maybe_unused]] T* state) {
@@ -335,14 +211,13 @@ FEMSPH_INLINE Symmetric<T, dim> advance_law(const LawType& law, const Symmetric<
     return law.stress(strain);
   } else {
     constexpr int n = symmetric_size<dim>;
-    // The state is the bulk of what such a law reads and writes, and its lines come in bursts that the
-    // processor does not foresee: ask for the point after the next (beyond the end of the array a prefetch
-    // does nothing).
+    // Most of the memory that such a law reads and writes is its state, in an order that the processor does
+    // not predict: prefetch the point after the next one. (A prefetch beyond the end of the array does
+    // nothing.)
     constexpr int size = point_state_size<LawType, dim>;
     if constexpr (lanes_of<T> == lanes) {
       const T* ahead = state;
-      asm(""
-          : "+r"(ahead));  // hides from the compiler's warnings that the next line may point beyond the array
+      asm("" : "+r"(ahead));  // avoids a compiler warning: the next line may point beyond the array
       ahead += 2 * size;
       for (int k = 0; k < size; ++k)
         if (often_read<LawType>(k - 2 * n)) __builtin_prefetch(ahead + k, 1);

@@ -1,5 +1,5 @@
 #pragma once
-// A material of a scene, and the catalogue of its laws: what each says of itself, without the kernels.
+// A material of a scene, and the catalogue of laws without their kernels.
 
 #include <string>
 #include <vector>
@@ -8,11 +8,11 @@
 
 namespace femsph {
 
-/// A law as the reader of scenes, the lists and the messages see it.
+/// A law for the reader of scenes, lists and messages.
 struct LawEntry {
   Entry entry;
-  std::vector<KeyTable> tables;  ///< within the material's table
-  std::string name;              ///< in messages
+  std::vector<KeyTable> tables;  ///< tables within [materials.NAME]
+  std::string name;              ///< name in messages
   bool large_motion_only, yields, has_bars;
   LawParameters (*read)(Fields& fields, const LawInput& in);
   Law (*of)(const LawParameters& parameters, const ElasticConstants& constants, Plane plane);
@@ -27,13 +27,13 @@ const std::vector<LawEntry>& laws();
 struct Material {
   std::string name;
   double young, poisson, density;  ///< Pa, 1, kg/m^3
-  LawParameters parameters = {};   ///< linear elastic unless said otherwise
+  LawParameters parameters = {};   ///< linear elastic by default
 
   /// The law of this material in that plane.
   Law law(Plane plane) const { return entry().of(parameters, {young, poisson, density}, plane); }
   const LawEntry& entry() const { return laws()[parameters.index()]; }
   bool is_linear_elastic() const { return std::holds_alternative<LinearElastic::Parameters>(parameters); }
-  /// Its stress depends on the path of the strain.
+  /// Whether its stress depends on the strain path.
   bool yields() const { return entry().yields; }
   /// Its von Mises plasticity; null if it has none.
   const Plasticity* plasticity() const { return entry().plasticity(parameters); }

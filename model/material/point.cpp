@@ -54,7 +54,7 @@ std::vector<std::string> cells_of(const std::string& line) {
   return cells;
 }
 
-/// One fault is enough: a path with a wrong column is wrong in every line.
+/// Reports only the first fault: a wrong column would be a fault in every line.
 [[noreturn]] void refuse(const std::string& file, int line, int column, std::string text) {
   throw InputError(file, {Fault{line, column, std::move(text)}});
 }
@@ -99,8 +99,9 @@ std::vector<std::array<double, 6>> read_path(const std::string& text, const std:
   std::vector<int> columns;
   if (text.starts_with("\xff\xfe") || text.starts_with("\xfe\xff"))
     refuse(file, 1, 1, "is UTF-16; expected plain text or UTF-8, as \"CSV UTF-8\" is saved");
-  std::stringstream in(
-      text.starts_with("\xef\xbb\xbf") ? text.substr(3) : text);  // less the mark that spreadsheets put first
+  std::stringstream in(text.starts_with("\xef\xbb\xbf")
+                           ? text.substr(3)
+                           : text);  // without the byte-order mark that spreadsheets write
   std::string line;
   for (int number = 1; std::getline(in, line); ++number) {
     const std::vector<std::string> cells = cells_of(line);

@@ -1,5 +1,5 @@
 #pragma once
-// For output: what the law knows in its own frame, as Cauchy stress and strain in the axes of space.
+// For output: Cauchy stress and strain in the axes of space, from those of the law in its co-rotated frame.
 
 #include <array>
 #include <cmath>
@@ -9,10 +9,11 @@
 
 namespace femsph {
 
-/// Co-rotated Cauchy stress R^T sigma R of the law's stress. `normal_stress` and `normal_strain` are the
-/// law's across the plane in 2D, and leave as Cauchy stress and as stretch - 1; J includes that stretch.
+/// The co-rotated Cauchy stress R^T sigma R from the stress of the law. `normal_stress` and `normal_strain`:
+/// on entry those of the law normal to the plane (2D), on return the Cauchy stress and stretch - 1. J
+/// includes that stretch.
 ///   FiniteRotation   of the Biot stress T: sigma = P F^T / J = R (T U) R^T / J, symmetrised
-///   LargeStrain      of the Kirchhoff stress tau: sigma = R tau R^T / J; the strain across is logarithmic
+///   LargeStrain      of the Kirchhoff stress tau: sigma = R tau R^T / J; the normal strain is logarithmic
 template <class Kinematics, int dim>
 Symmetric<double, dim> corotated_cauchy(const Symmetric<double, dim>& strain,
                                         const Symmetric<double, dim>& stress, double& normal_stress,
@@ -27,15 +28,15 @@ Symmetric<double, dim> corotated_cauchy(const Symmetric<double, dim>& strain,
     for (int i = 0; i < dim; ++i) U[i] += 1.0;
     s = symmetric_product(stress, U);
   }
-  const double J = (1 + growth(strain)) * (1 + normal_strain);
+  const double J = (1 + volume_change(strain)) * (1 + normal_strain);
   normal_stress *= (kirchhoff ? 1.0 : 1 + normal_strain) / J;
   for (int k = 0; k < symmetric_size<dim>; ++k) s[k] /= J;
   return s;
 }
 
-/// H: displacement gradient; stress, strain: in the law's frame; history: the law's own, null if it has none.
-/// Six components xx yy zz xy yz zx out, thickness direction included. In large motion the stress is Cauchy's
-/// and the strain is turned to space, R (U - I) R^T.
+/// H: displacement gradient; stress, strain and history: those of the law (history null if it has none).
+/// Output: six components xx yy zz xy yz zx, with the direction normal to the plane; in large motion the
+/// Cauchy stress and the strain R (U - I) R^T.
 template <class Kinematics, class LawType, int dim>
 void spatial_state(const LawType& law, const Tensor<double, dim>& H, Symmetric<double, dim> stress,
                    Symmetric<double, dim> strain, [[maybe_unused]] const double* history,

@@ -1,6 +1,6 @@
 #pragma once
-// How much stiffer than undeformed a material point has become: what a step that follows the deformation goes
-// by (motion/march_step.cpp).
+// How much stiffer a material point is than in the undeformed body, for the time step
+// (motion/march_step.cpp).
 
 #include <concepts>
 #include <limits>
@@ -9,16 +9,16 @@
 
 namespace femsph {
 
-/// Laws whose tangent by the deformation gradient grows as they deform: they offer stiffening(g, J), a bound
-/// on the ratio of its largest stiffness to the undeformed one, with 1/sqrt(g) the smallest principal stretch
-/// and J the ratio of volumes (in 2D of areas).
+/// Laws whose tangent dP/dF becomes stiffer with the deformation. stiffening(g, J) is a bound of the ratio of
+/// the largest stiffness to the undeformed one, with 1/sqrt(g) the smallest principal stretch and J the ratio
+/// of volumes (in 2D of areas).
 template <class LawType>
 concept Stiffens = requires(const LawType& law, double x) {
   { law.stiffening(x, x) } -> std::same_as<double>;
 };
 
-/// Largest eigenvalue of a symmetric matrix, or a bound above it: exact in the plane; in space mean + 2
-/// sqrt(J2 / 3), exact where the two smaller ones are equal (a point crushed along one axis, or not at all).
+/// An upper bound of the largest eigenvalue of a symmetric matrix: exact in the plane; in space mean + 2
+/// sqrt(J2 / 3), which is exact if the two smaller eigenvalues are equal (uniaxial compression).
 template <class T, int dim>
 FEMSPH_INLINE T largest_eigenvalue_bound(const Symmetric<T, dim>& B) {
   if constexpr (dim == 2) {
@@ -31,7 +31,7 @@ FEMSPH_INLINE T largest_eigenvalue_bound(const Symmetric<T, dim>& B) {
   }
 }
 
-/// Of a point with the inverse deformation gradient dX/dx and J; infinite where J <= 0.
+/// The stiffening of a point with inverse deformation gradient dX/dx and J; infinite where J <= 0.
 template <class T, int dim, Stiffens LawType>
 FEMSPH_INLINE T stiffening(const LawType& law, const Tensor<T, dim>& inverse, const T& J) {
   Symmetric<T, dim> B;  // F^-1 F^-T, with eigenvalues 1 / stretch^2

@@ -7,7 +7,7 @@
 namespace femsph {
 namespace {
 
-/// Forces and their moments about the origin, and how large they are.
+/// Sums of forces and of their moments about the origin, and of their magnitudes.
 struct Sum {
   Point force{}, moment{};
   double size = 0, moment_size = 0;
@@ -23,7 +23,7 @@ struct Sum {
   }
 };
 
-/// Mass times acceleration of every point, and what damping takes: the force that is left on it.
+/// Mass times acceleration, and the damping force, of every point: together the force that remains on it.
 void add_inertia(const March& march, const MovingBody& body, Sum& sum) {
   const Layout& at = body.discretization->layout();
   for (std::size_t i = 0; i < at.points; ++i) {
@@ -48,7 +48,7 @@ void add_outside_forces(const March& march, const MovingBody& body, Sum& sum) {
     effect->each_force(march.motion(), body, [&](std::size_t point, const Point& f) {
       sum.add(place_of(march, body, point), f, -1);
     });
-    // The total that the scene gives, where the shares do not add up to it.
+    // Corrected to the total of the scene, where the forces on points do not sum to it.
     sum.force = sum.force + effect->excess_force(march.motion(), body);
   }
 }
@@ -61,7 +61,7 @@ void add_rigid(const March& march, const RigidBody& body, Sum& sum) {
     if (!body.held_turn[c]) turning[c] = body.moment[c];
   }
   sum.add(x, left, 1);
-  sum.add(x, held, 1);  // less the reaction, which is its opposite
+  sum.add(x, held, 1);  // the reaction is its opposite
   sum.add_couple(turning, 1);
   sum.add_couple(body.moment - turning, 1);
   sum.add(x, body.mass * body.gravity, -1);
@@ -108,8 +108,7 @@ Balance balance(const March& march, const std::vector<Reaction>& reactions) {
   for (const Reaction& reaction : reactions)
     for (const auto& [x, f] : reaction.forces(march)) sum.add(x, f, -1);
   for (const RigidBody& body : march.rigid_bodies()) add_rigid(march, body, sum);
-  std::array<bool, 3> mirrored{};
-  for (const Symmetry& plane : scene.symmetries) mirrored[plane.axis()] = true;
+  const std::array<bool, 3> mirrored = scene.mirrored_axes();
   Point force = sum.force, moment = sum.moment;
   for (int c = 0; c < 3; ++c) {
     if (mirrored[c]) force[c] = 0;

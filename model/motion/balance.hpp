@@ -1,30 +1,30 @@
 #pragma once
-// Momentum of all bodies, and whether forces, reactions and inertia add up to nothing.
+// The momentum of all bodies, and the balance of forces: loads, reactions and inertia.
 
 #include "model/motion/reactions.hpp"
 
 namespace femsph {
 
-/// Of all bodies, rigid ones included, at a whole step; angular momentum about the origin. In small motion
-/// points are where they began, for that is what moments are kept about.
+/// The momentum of all bodies, rigid ones included, at a whole step; angular momentum about the origin. In
+/// small motion with the undeformed positions of the points, about which internal moments balance.
 struct Momentum {
   Point linear{};   ///< kg m/s
-  Point angular{};  ///< kg m^2/s; in a plane z only
+  Point angular{};  ///< kg m^2/s; in a plane scene only z
 };
 Momentum momentum(const March& march);
 
-/// |rate of momentum - (loads + weight + reactions + damping)| over the sum of the magnitudes of both, now:
-/// what the internal forces, contacts and bonds give that nothing outside has given, or an outside force that
-/// is not in the account. The loads are the totals that the scene gives, and the reactions those of every
-/// support, each with its share. Round-off in a sound run, with one exception: along the normal of a symmetry
-/// plane the other half pushes as well, and that component is left out, with the moments that it enters.
+/// |rate of momentum - (loads + weight + reactions + damping)| over the sum of the magnitudes of both, at the
+/// present step. It is round-off unless internal forces, contacts or bonds have a resultant, or an external
+/// force is missing. The loads are the totals of the scene; the reactions are those of all supports. Left out
+/// are the components normal to symmetry planes, where the mirrored half exerts a force as well, and the
+/// moments that contain them.
 struct Balance {
   double force = 0;
-  double moment = 0;  ///< about the origin; 0 in small motion with contact, where forces act where bodies are
-                      ///< and moments are taken where they were
+  double moment =
+      0;  ///< about the origin; 0 in small motion with contact, whose forces act at displaced positions
 };
 Balance balance(const March& march,
-                const std::vector<Reaction>& reactions);  ///< all_reactions() of this march
+                const std::vector<Reaction>& reactions);  ///< from all_reactions(march)
 inline Balance balance(const March& march) { return balance(march, all_reactions(march)); }
 
 }  // namespace femsph

@@ -1,5 +1,6 @@
 #pragma once
-// What a run keeps and what it loses, over its samples: energy, momentum, the energy in hourglass control.
+// How well a run conserves energy and momentum, over its samples, and how much energy is in hourglass
+// control.
 
 #include <array>
 #include <vector>
@@ -8,21 +9,20 @@
 
 namespace femsph {
 
-/// All numbers are shares of a scale of the same run; 0: kept.
+/// All numbers are relative to a scale of the same run; 0: conserved.
 struct Drift {
-  double energy = 0;            ///< largest size of Ledger::imbalance() over the largest energy of the run
+  double energy = 0;            ///< largest |Ledger::imbalance()| over the largest energy of the run
   double momentum = 0;          ///< see Conservation
   double angular_momentum = 0;  ///< see Conservation
   double hourglass =
       0;  ///< largest hourglass energy over the largest internal energy (strain, hourglass, plastic work)
 };
 
-/// Looks at a march at its samples. In a scene that nothing outside pushes on
-/// (EffectEntry::outside) the momenta are those of
-/// all bodies at a whole step and their drift is the largest change since the start over the largest sum of
-/// magnitudes, sum m |v| and sum m |x - x0||v| (x0: the centre of mass at the start). Else the outside pushes
-/// too, and what tells is whether the internal forces of each body add up to zero: the largest
-/// March::force_imbalance and moment_imbalance of the samples that hold at least 1e-6 of the largest energy.
+/// Collects these numbers at the samples of a run. In a scene without external forces (EffectEntry::outside),
+/// the drift of momentum is its largest change since the start, of all bodies together, over the largest sum
+/// of magnitudes: sum m |v|, and sum m |x - x0||v| for angular momentum, x0 being the initial centre of mass.
+/// In other scenes it is the largest March::force_imbalance and moment_imbalance, whether the internal forces
+/// of each body sum to zero, of the samples that have at least 1e-6 of the largest energy.
 class Conservation {
  public:
   explicit Conservation(const March& march);

@@ -1,5 +1,5 @@
 #pragma once
-// Loops over the entries of the flat vectors of a march.
+// Loops over the entries of flat vectors.
 
 #include <algorithm>
 #include <cstddef>
@@ -8,11 +8,11 @@
 
 namespace femsph {
 
-/// Entries of a vector cost a quarter of a particle or less: below this many a loop over them is not worth a
-/// fork.
+/// An entry takes at most a quarter of the time of a particle's forces. For fewer entries than this, starting
+/// the threads costs more than it saves.
 inline constexpr std::size_t entries_for_one_thread = 4 * serial_below;
 
-/// parallel_sum over the entries of a vector, to the same bits.
+/// parallel_sum over n entries, on one thread where there are few; the result is the same to the last bit.
 template <class Body>
 double sum_of_entries(std::size_t n, Body&& body) {
   if (n >= entries_for_one_thread) return parallel_sum(n, body);

@@ -1,9 +1,9 @@
-// The flowchart of an explicit run (fig. 1 of the paper), for both solvers:
+// The time loop of both solvers (flowchart: fig. 1 of the paper):
 //
 //   (step) -> forces -> (sample, snapshot) -> kick and drift -> next step
 //
-// with   v(n+1/2) = v(n-1/2) + dt M^-1 f(u(n)),   u(n+1) = u(n) + dt v(n+1/2)   (leap-frog, or central
-// difference). What acts besides the internal forces is a list of effects (effects/effect.hpp).
+// with v(n+1/2) = v(n-1/2) + dt M^-1 f(u(n)), u(n+1) = u(n) + dt v(n+1/2) (leap-frog, or central difference).
+// All other forces and constraints are effects (effects/effect.hpp).
 
 #include "model/motion/march.hpp"
 
@@ -22,7 +22,7 @@ void March::run(const MarchEvents& events) {
   }
   cpu_before_ = cpu_seconds() - motion_.price.cpu, wall_before_ = wall_seconds() - motion_.price.wall;
   running_ = true;
-  struct StopClocks {  // however the run ends
+  struct StopClocks {  // also when an exception ends the run
     March& march;
     ~StopClocks() { march.read_clocks(), march.running_ = false; }
   } const stop{*this};
@@ -64,15 +64,15 @@ void March::run(const MarchEvents& events) {
   if (motion_.scene.settling && !settled_) say_what_did_not_settle();
 }
 
-/// When somebody asks, not in every step: the clock of the process is a call of the kernel, which takes as
-/// long as a step of a hundred cells.
+/// Called on demand and not in every step: reading the CPU time is a system call, which takes as long as a
+/// step of a hundred cells.
 void March::read_clocks() const {
   if (!running_) return;
   motion_.price.cpu = cpu_seconds() - cpu_before_;
   motion_.price.wall = wall_seconds() - wall_before_;
 }
 
-/// A march that settles ends at a look.
+/// A run that settles ends at one of the checks.
 bool March::may_be_last() const {
   return motion_.step >= planned_ || (motion_.scene.settling && motion_.step % watch_every_ == 0);
 }

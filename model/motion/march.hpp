@@ -1,5 +1,6 @@
 #pragma once
-// The one explicit loop of both solvers.
+// The explicit time integration ("march") of both solvers: central differences, or leap-frog, with lumped
+// masses.
 
 #include <functional>
 #include <memory>
@@ -15,76 +16,83 @@ namespace femsph {
 
 struct MarchOptions {
   double safety = 0.9;         ///< dt = safety x critical step
-  std::optional<double> step;  ///< s: march with exactly this step
+  std::optional<double> step;  ///< s: use exactly this step
 };
 
 class March;
 
-/// Called with the motion at a whole step: u and f belong to `time`, v to half a step before.
+/// What the caller does during a run. At each call u and f belong to March::time(), and v to half a step
+/// before.
 struct MarchEvents {
-  /// Scene::samples times over the duration, first and last step included.
+  /// Scene::samples times over the duration; also at the first and at the last step.
   std::function<void(const March&)> sample;
   std::function<void(const March&)> snapshot;  ///< Scene::snapshots times
-  std::function<void(const March&)> progress;  ///< now and then
-  /// After every step, when March::state() is whole; may throw to leave the march.
+  std::function<void(const March&)> progress;  ///< every 25 to 1000 steps
+  /// After every step, when March::state() can be saved; may throw to end the run.
   std::function<void(March&)> between;
 };
 
 class March {
  public:
-  /// Takes the discretization of each of the scene's bodies that deform, in order; `scene` must outlive the
-  /// march. Throws MotionError when a support or load finds no point, when nothing can move, or when a given
-  /// step is over the limit.
+  /// `bodies`: the discretization of each deformable body, in the order of the scene. `scene` must outlive
+  /// the march. Throws MotionError if a support or load finds no point, if nothing can move, or if a given
+  /// step is above the critical one.
   March(const Scene& scene, std::vector<std::unique_ptr<Discretization>> bodies, const MarchOptions& options);
   March(const March&) = delete;
 
-  /// Marches to the scene's duration, or until settled. Throws MotionError.
+  /// Runs to the end of the scene's duration, or until the bodies have settled. Throws MotionError.
   void run(const MarchEvents& events);
 
   const Scene& scene() const { return motion_.scene; }
   const Motion& motion() const { return motion_; }
-  const std::vector<MovingBody>& bodies() const { return motion_.bodies; }  ///< those that deform
-  const MovingBody& body(std::size_t index) const;  ///< by its index in Scene::bodies; it deforms
+  const std::vector<MovingBody>& bodies() const { return motion_.bodies; }  ///< the deformable bodies
+  const MovingBody& body(std::size_t index) const;  ///< a deformable body, by its index in Scene::bodies
   const std::vector<RigidBody>& rigid_bodies() const { return motion_.rigid; }
   const EffectList& effects() const { return effects_; }
-  /// N, of each contact's first body on its second, now, in the order of the scene.
+  /// The present force (N) of the first body of each contact on the second, in the order of the scene.
   std::vector<Point> contact_forces() const;
   long step() const { return motion_.step; }
   double time() const { return motion_.time(); }
   double dt() const { return motion_.dt; }
   double smallest_step() const { return smallest_step_; }  ///< s, so far
   long step_changes() const { return step_changes_; }
-  bool follows_deformation() const { return follows_; }  ///< the step does
-  double critical_step() const { return critical_; }     ///< of the undeformed bodies
+  bool follows_deformation() const { return follows_; }  ///< whether the step is adapted to the deformation
+  double critical_step() const { return critical_; }     ///< s, of the undeformed bodies, contact included
   double critical_step_without_contact() const { return critical_alone_; }
-  bool bounded_by_effects() const { return !effects_.with(Hook::add_springs).empty(); }  ///< the step is
+  bool bounded_by_effects() const {
+    return !effects_.with(Hook::add_springs).empty();
+  }  ///< whether an effect bounds the step
   long planned_steps() const;
   bool settled() const { return settled_; }
-  /// N: what all its supports together exert on a held component, now.
+  /// The present reaction (N) on a held component, of all its supports together. `slot`: see MovingBody.
   double reaction(const MovingBody& body, std::size_t slot) const;
-  /// m/s, at the whole step of now: the mean of the half steps around it.
+  /// The velocity (m/s) of a component at the present whole step: the mean of those half a step before and
+  /// after.
   double velocity(const MovingBody& body, std::size_t slot) const;
   Point velocity(const RigidBody& body) const;  ///< of its centre
   Point spin(const RigidBody& body) const;      ///< its angular momentum about the centre, kg m^2/s
-  /// What the user should know, a sentence each: of the scene, of its discretizations, and of the march so
-  /// far. Those known before the first step come first and stay.
+  /// Warnings for the user, a sentence each: about the scene, its discretizations and the run so far. Those
+  /// known before the first step come first.
   const std::vector<std::string>& warnings() const { return warnings_; }
-  /// All that a run which is taken up again needs; to be saved between two steps (MarchEvents::between).
+  /// Saves or restores everything that a resumed run needs. Only between two steps (MarchEvents::between).
   void state(Archive& archive);
-  /// Before run(): keep, in memory, the state of the last look that found everything sound. Large motion,
-  /// plasticity and contact only: what a small elastic motion does at a step within the limit stays bounded.
+  /// Call it before run() to keep, in memory, the state of the last check that found no fault. Does nothing
+  /// in small elastic motion without contact, which is bounded below the critical step.
   void keep_good_states();
-  /// Back to that state, for its fields; false if there is none. The march cannot go on from there.
+  /// Goes back to that state, to write its fields; false if there is none. The run cannot be continued from
+  /// there.
   bool return_to_good_state();
-  /// Energies at the current whole step, J. Costs a pass over the model: for samples, not for every step.
+  /// The energies (J) at the present whole step. Takes a pass over the model: for samples, not for every
+  /// step.
   Ledger ledger() const;
-  /// |sum of internal forces| / sum of |internal forces| at the current whole step, the larger of all bodies:
-  /// round-off if the discretization keeps linear momentum. At a sample and at the end of a run: only there
-  /// the internal forces are kept by themselves.
+  /// |sum of internal forces| / sum of |internal forces| at the present whole step, the largest of all
+  /// bodies; round-off if the discretization conserves linear momentum. Only at a sample and at the end of a
+  /// run, where MovingBody::internal is kept; else throws std::logic_error.
   double force_imbalance() const;
-  /// The same for the moments of the internal forces about the origin (in the deformed body).
+  /// The same for the moments of the internal forces about the origin, in large motion in the deformed
+  /// position.
   double moment_imbalance() const;
-  /// What the run has cost so far.
+  /// The cost of the run so far.
   Price& price() { return read_clocks(), motion_.price; }
   const Price& price() const { return read_clocks(), motion_.price; }
 
@@ -92,17 +100,17 @@ class March {
   void add_body(std::size_t index, std::unique_ptr<Discretization> discretization);
   void find_critical_step();
   void start_velocities();
-  void forces();             ///< gradient, law, divergence of every body; then what effects add
-  bool may_be_last() const;  ///< this step
-  void reaction_work();  ///< half a step's work of the reactions of driven components, at the forces of now
-  void plan();           ///< when to sample, look and end
-  /// march_step.cpp: is the step still below the limit, and what should the next one be?
+  void forces();             ///< all forces at u(n): the internal forces, then those of the effects
+  bool may_be_last() const;  ///< whether the present step may be the last one
+  void reaction_work();      ///< adds the work of prescribed motion over half a step, at the present forces
+  void plan();               ///< when to take samples and snapshots, when to check, and when to end
+  /// Adapts the step to the deformation (march_step.cpp).
   void follow_deformation();
-  void change_step();     ///< from dt to next_dt, at a whole step whose forces are known
-  void kick_and_drift();  ///< v += dt f/m, u += dt v, with whichever damping is on
+  void change_step();     ///< from dt to next_dt, at a whole step with known forces
+  void kick_and_drift();  ///< v += dt f/m, u += dt v, with damping and viscosity
   void move_rigid_bodies();
-  void work_of_outside();  ///< over the step about the half step whose velocities are known
-  /// Now and then: is it still sound, has it settled, how strong should the damping be?
+  void work_of_outside();  ///< adds the work of external forces over the step
+  /// Every watch_every_ steps: checks the run, the settling and the damping rate (march_watch.cpp).
   void watch(bool last);
   double allowance() const;
   void look_at_energy(const Ledger& l);
@@ -114,18 +122,17 @@ class March {
   bool past_kinetic_peak() const;
   void go_back_half_a_step();
   void start_again_from_rest();
-  double work_of_the_step() const;  ///< half a step's work of all forces of now at the velocities of now, J
-  /// What the march's energies are made of at a whole step: 1/2 v- . M v+, and half a step's loss to damping
-  /// and viscosity at v-.
+  double work_of_the_step()
+      const;  ///< J: work of all present forces over half a step at the present velocities
+  /// The energies that the leap-frog conserves, at a whole step, J: 1/2 v- . M v+ with v- and v+ the
+  /// velocities half a step before and after; and what damping and viscosity dissipate in half a step at v-.
   struct Kinetic {
     double energy = 0, damping = 0, viscosity = 0;
   };
   Kinetic kinetic() const;
-  /// 1/8 (v+ - v-) . M (v+ - v-): what the kinetic energy at the whole step, 1/2 v . M v with v = (v- +
-  /// v+)/2, has beyond Kinetic::energy.
+  /// 1/8 (v+ - v-) . M (v+ - v-), J: the kinetic energy at the whole step, 1/2 v . M v with v = (v- + v+)/2,
+  /// minus Kinetic::energy.
   double energy_of_half_a_kick() const;
-  /// Axes normal to the body's symmetry planes: along these its other half pushes back.
-  std::array<bool, 3> mirrored_axes(const MovingBody& body) const;
   template <class Take>
   void internal_forces(const MovingBody& body, Take&& take) const;
   std::string fastest_point() const;
@@ -135,14 +142,14 @@ class March {
   Motion motion_;
   EffectList effects_;
   double critical_ = 0, critical_alone_ = 0;  ///< s
-  // What the deformation makes of the step; see march_step.cpp.
+  // The step that is adapted to the deformation; see march_step.cpp.
   bool follows_ = false, given_step_ = false;
   double safety_ = 0.9, critical_now_ = 0, smallest_step_ = 0;
-  double seen_share_ = 1;  ///< what the last estimate was
+  double seen_share_ = 1;  ///< critical step over that of the undeformed bodies, at the last estimate
   long step_changes_ = 0, seen_step_ = 0, next_estimate_ = 0;
   std::size_t touching_ = 0;
-  /// Something done now and then.
-  struct Rhythm {
+  /// Something that is done at regular intervals of time.
+  struct Schedule {
     double interval = 0, next = 0;  ///< s
     bool is_due(double time, double dt) const { return !(time < next - 0.5 * dt); }
     bool due(double time, double dt) {
@@ -151,33 +158,33 @@ class March {
       return true;
     }
   };
-  Rhythm samples_, snapshots_;
+  Schedule samples_, snapshots_;
   long planned_ = 1;
   bool adaptive_damping_ = false, kinetic_damping_ = false, settled_ = false;
   long watch_every_ = 1;
   double external_work_ = 0;
-  double external_passed_ = 0;  ///< the work of every step without its sign
-  double created_ = 0;          ///< by laws that create energy, which say so: negative plastic work
+  double external_passed_ = 0;  ///< sum of |external work| of the steps, J
+  double created_ = 0;          ///< J, created by laws without return mapping (negative plastic work)
   double damping_loss_ = 0, viscous_loss_ = 0;
-  double initial_energy_ = 0;  ///< by the measure of kinetic()
-  double initial_whole_ = 0;   ///< with the kinetic energy at the whole step
-  /// The half-step losses at the first step, which belong before it.
+  double initial_energy_ = 0;  ///< J, with Kinetic::energy
+  double initial_whole_ = 0;   ///< J, with the kinetic energy at the whole step
+  /// Losses (J) in the half step before the first step, which do not belong to the run.
   double start_damping_ = 0, start_viscosity_ = 0;
-  bool going_back_ = false;  ///< kinetic damping: this step leads back to the last peak of the kinetic energy
-  double still_since_ = -1;  ///< s: at rest when last looked at; below 0: still moving
-  /// How far from rest at the last look, each as a share: unbalanced forces of the loads; the displacement
-  /// that they can still make, and the amplitude of what moves, of the displacement. All below the tolerance:
-  /// settled.
-  struct Unrest {
+  bool going_back_ = false;  ///< kinetic damping: this step goes back to the last peak of the kinetic energy
+  double still_since_ = -1;  ///< s: when the last check found the bodies at rest; negative: it did not
+  /// How far the bodies were from rest at the last check: ratios of the unbalanced forces to the loads, of
+  /// the displacement that these can still cause to the displacement, and of the amplitude of the motion to
+  /// the displacement.
+  struct Residuals {
     double force = 1, displacement = 1, motion = 1;
     bool loads_change = false;
   };
-  Unrest unrest_;
-  double force_scale_ = 0;  ///< N: the largest forces so far, where nothing loads the bodies for good
+  Residuals residuals_;
+  double force_scale_ = 0;  ///< N: the largest forces so far, for bodies without a permanent load
   std::vector<std::string> warnings_;
   bool running_ = false;
-  bool keep_internal_ = false;  ///< the internal forces of this step, by themselves
-  /// s: the clocks at the start of the run, less what it had cost before it was taken up again.
+  bool keep_internal_ = false;  ///< whether MovingBody::internal is kept at this step
+  /// s: the clocks at the start of the run, minus the cost before it was resumed.
   double cpu_before_ = 0, wall_before_ = 0;
   void read_clocks() const;
   bool keep_good_ = false;

@@ -1,5 +1,4 @@
-// What is read off a march at a whole step: velocities and reactions, and whether the internal forces add up
-// to nothing.
+// Results at a whole step: velocities, reactions, and whether the internal forces sum to zero.
 
 #include <algorithm>
 #include <cmath>
@@ -69,18 +68,11 @@ void March::internal_forces(const MovingBody& body, Take&& take) const {
   }
 }
 
-std::array<bool, 3> March::mirrored_axes(const MovingBody& body) const {
-  std::array<bool, 3> axes{};
-  for (const Symmetry& s : motion_.scene.symmetries)
-    if (s.place.body == body.index) axes[s.axis()] = true;
-  return axes;
-}
-
 double March::force_imbalance() const {
   double worst = 0;
   for (const MovingBody& body : motion_.bodies) {
     Point sum{}, size{};
-    const std::array<bool, 3> mirrored = mirrored_axes(body);
+    const std::array<bool, 3> mirrored = motion_.scene.mirrored_axes(body.index);
     internal_forces(body, [&](const Point&, const Point& f) {
       for (int c = 0; c < 3; ++c) sum[c] += mirrored[c] ? 0.0 : f[c], size[c] += std::abs(f[c]);
     });
@@ -95,7 +87,7 @@ double March::moment_imbalance() const {
   for (const MovingBody& body : motion_.bodies) {
     Point sum{};
     double all = 0;
-    const std::array<bool, 3> mirrored = mirrored_axes(body);
+    const std::array<bool, 3> mirrored = motion_.scene.mirrored_axes(body.index);
     internal_forces(body, [&](const Point& x, const Point& f) {
       for (int c = 0; c < 3; ++c) {
         const int a = (c + 1) % 3, b = (c + 2) % 3;

@@ -1,4 +1,4 @@
-// Where the energy of a march is.
+// The energies of a run, and their balance.
 
 #include <algorithm>
 #include <numeric>
@@ -9,10 +9,10 @@
 
 namespace femsph {
 
-// With v+ - v- = dt (f/m - c vbar) + dt g/m, the energy 1/2 v-.M v+ changes from step n to n + 1 by
-// 1/2 dt v(n+1/2) . (f(n) + f(n+1)) less what damping and viscosity take the same way. So the losses at step
-// n count with v- for the interval before it and with v+ for the one after it: together vbar, and half of it
-// at the ends.
+// With v+ - v- = dt (f/m - c vbar) + dt g/m (f the forces, g the viscous force, c the damping rate, vbar =
+// (v- + v+)/2), the energy 1/2 v- . M v+ changes from step n to n + 1 by 1/2 dt v(n+1/2) . (f(n) + f(n+1)),
+// minus losses to damping and viscosity of the same form. So the half of the losses at step n that contains
+// v- belongs to the interval before it, the half with v+ to the one after it.
 March::Kinetic March::kinetic() const {
   Kinetic k;
   const auto [keep_now, push_now] = motion_.leap(motion_.dt);
@@ -28,7 +28,7 @@ March::Kinetic March::kinetic() const {
             const double value = part(i, v[i], keep * v[i] + push * w[i] * force(i));
             return w[i] == 0 ? 0.0 : value;
           };
-          double s[lanes] = {};  // side by side: no addition waits for the one before
+          double s[lanes] = {};  // independent sums: no addition waits for the one before
           std::size_t i = begin;
           for (; i + lanes <= end; i += lanes)
             for (int l = 0; l < lanes; ++l) s[l] += entry(i + std::size_t(l));
@@ -50,7 +50,7 @@ March::Kinetic March::kinetic() const {
     if (viscous)
       k.viscosity -= 0.5 * motion_.dt *
                      sum([&](std::size_t i, double before, double) { return body.viscous[i] * before; });
-    for (const MovingBody::Driven& d : body.driven) {  // free, under its reaction
+    for (const MovingBody::Driven& d : body.driven) {  // a free component under its reaction
       const double g = viscous ? body.viscous[d.slot] : 0.0, before = body.v[d.slot],
                    after = keep * before + push * (body.f[d.slot] + g + d.reaction) / d.mass;
       k.energy += 0.5 * d.mass * before * after;
@@ -96,7 +96,8 @@ double March::energy_of_half_a_kick() const {
 Ledger March::ledger() const {
   Ledger l;
   const Kinetic k = kinetic();
-  l.kinetic = std::max(0.0, k.energy + energy_of_half_a_kick());  // a sum of squares: below zero is round-off
+  l.kinetic = std::max(
+      0.0, k.energy + energy_of_half_a_kick());  // a sum of squares; negative only by round-off
   l.discrete = k.energy - l.kinetic - (initial_energy_ - initial_whole_);
   for (const MovingBody& body : motion_.bodies) {
     const Energies held = body.discretization->energies(body.u.data());

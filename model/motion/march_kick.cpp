@@ -1,6 +1,6 @@
-// The kick and the drift of all bodies, with what damping and viscosity take on the way, and the work of what
-// acts from outside. Damping (a rate) and artificial viscosity (a second vector of forces) belong to the pass
-// over the entries: an absent one is compiled out.
+// The update of velocities ("kick") and displacements ("drift") of all bodies, the losses to damping and
+// viscosity, and the work of external forces. Damping and artificial viscosity are part of the loop over the
+// entries; separate versions of the loop are compiled without them.
 
 #include <algorithm>
 #include <cmath>
@@ -12,9 +12,9 @@ namespace femsph {
 
 namespace {
 
-/// One body's kick and drift. Mass-proportional damping is taken at the mean of the two half-step velocities:
-/// v+ = ((1 - c dt/2) v- + dt f/m) / (1 + c dt/2); what it takes is c dt m vbar^2 a component, what viscosity
-/// takes is -f_visc vbar dt.
+/// Kick and drift of one body. Mass-proportional damping uses the mean vbar of the velocities half a step
+/// before and after: v+ = ((1 - c dt/2) v- + dt f/m) / (1 + c dt/2). Damping dissipates c dt m vbar^2 per
+/// component, viscosity -f_visc vbar dt.
 template <bool damped, bool viscous>
 void advance(MovingBody& body, double dt, double rate, double& damping_loss, double& viscous_loss) {
   double* __restrict u = body.u.data();
@@ -51,7 +51,7 @@ void advance(MovingBody& body, double dt, double rate, double& damping_loss, dou
       by_damping = d;
       by_viscosity = q;
     };
-    // Two sums in one pass: the second is kept per chunk as well, in chunk order.
+    // Two sums in one pass: the second one is stored for each chunk and added in the order of the chunks.
     std::vector<double> q((n + 4095) / 4096, 0.0);
     damping_loss += rate * dt * sum_of_entries(n, [&](std::size_t begin, std::size_t end) {
                       double by_damping = 0, by_viscosity = 0;
@@ -106,7 +106,7 @@ void March::work_of_outside() {
   external_passed_ += std::abs(external_work_ - done);
 }
 
-/// The first half is counted after the drift, the second with the next forces.
+/// Called twice in a step: after the drift, and when the next forces are known.
 void March::reaction_work() {
   const double done = external_work_;
   for (const Effect* effect : effects_.with(Hook::reaction_work))

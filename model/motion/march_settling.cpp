@@ -1,26 +1,29 @@
-// Settling: march until at rest, with damping on the way.
+// Settling: the run ends when the bodies are at rest in equilibrium.
 //
-// At rest means equilibrium, whatever the method: the forces r that are left on free components (loads +
-// contact + reactions - internal forces, that is, mass times acceleration) and what still moves are small.
-// Three shares, each below the scene's `tolerance` at two looks in a row:
-//   force         sum |r| over sum |loads and weight|. The resultant of the reactions lacks of that of the
-//   loads exactly sum r. displacement  |r / m| / (omega^2 |u|), |x| = (x . M x)^1/2, omega from the Rayleigh
-//   quotient of u itself: in a mode of frequency omega, r is
-//                 omega^2 m times the displacement that is still to come; of higher modes that is too much.
-//                 Not asked of bodies in contact or rigid ones, whose displacement may be a fall.
-//   motion        (kinetic energy / stored energy)^1/2: the amplitude of a swing about equilibrium, over the
-//   displacement.
-// And no load changes any more.
+// For both methods of damping this means that the unbalanced forces r on free components (mass times
+// acceleration) and the remaining motion are small: three ratios are below the scene's `tolerance` in two
+// successive checks.
+//   force         sum |r| / sum |loads and weight|. The resultant of the reactions differs from that of the
+//                 loads by sum r.
+//   displacement  |r / m| / (omega^2 |u|) with |x| = (x . M x)^1/2 and omega^2 the Rayleigh quotient of u. In
+//   a
+//                 mode of angular frequency omega, r is omega^2 m times the displacement that is still to
+//                 come; for higher modes the ratio overestimates it. Not used in scenes with contact or rigid
+//                 bodies, whose displacement may be rigid-body motion.
+//   motion        (kinetic energy / stored energy)^1/2, the amplitude of an oscillation about equilibrium
+//   over
+//                 the displacement.
+// And no load may still change.
 //
-// Kinetic damping (Cundall 1976; Barnes, Int. J. Space Structures 14 (1999) 89): no damping, but whenever the
-// kinetic energy has passed a peak all velocities start again from rest, from where the peak was. Here that
-// is the middle of the last step before the kinetic energy falls (the march sees at step n that it will: v- .
-// f + v+ . f < 0). From rest, a mode with phase angle theta a step (2 sin(theta/2) = omega dt) is then at
-// cos(theta/2) cos((n - 1/2) theta), at its own peak at most sin(theta)/2 of where it began, up to the
-// highest frequency that the step bears; and never farther than it began. Stopping where the peak is found,
-// up to a step later, leaves the highest modes as they were; their peaks then stop every few steps all that
-// is slower. The way back is a step of half the last velocity, backwards: laws, friction and ties see an
-// ordinary step.
+// Kinetic damping (Cundall 1976; Barnes, Int. J. Space Structures 14 (1999) 89): whenever the kinetic energy
+// has passed a peak, all velocities are set to zero at the position of the peak. Here this is the middle of
+// the last step before the kinetic energy decreases; at step n that is known from v- . f + v+ . f < 0. A mode
+// with phase angle theta per step, 2 sin(theta/2) = omega dt, that starts from rest is then at cos(theta/2)
+// cos((n - 1/2) theta) of its initial amplitude: at most sin(theta)/2 at its own peak, for all frequencies up
+// to the stability limit, and never more than 1. If the velocities were set to zero where the peak is
+// detected, up to one step later, the highest modes would not be damped, and their peaks would stop all
+// slower motion every few steps. To go back half a step, the bodies move for one step with minus half of the
+// last velocity, so that laws, friction and ties see an ordinary step.
 
 #include <fmt/format.h>
 
@@ -35,7 +38,7 @@ namespace femsph {
 
 namespace {
 
-/// part(slot) over all slots, to the same bits on any number of threads.
+/// The sum of part(slot) over all slots, the same to the last bit for any number of threads.
 template <class Part>
 double sum_over(const MovingBody& body, Part&& part) {
   return parallel_sum(body.u.size(), [&](std::size_t begin, std::size_t end) {
@@ -48,7 +51,8 @@ double sum_over(const MovingBody& body, Part&& part) {
 }  // namespace
 
 void March::settle(const Ledger& l) {
-  double inertia = 0, accelerated = 0, left = 0, reactions = 0, loads = 0;  // u.Mu, a.Ma, sums of magnitudes
+  double inertia = 0, accelerated = 0, left = 0, reactions = 0,
+         loads = 0;  // u . M u, a . M a, and sums of magnitudes
   for (const MovingBody& body : motion_.bodies) {
     inertia += sum_over(body, [&](std::size_t i) { return body.mass[i] * body.u[i] * body.u[i]; });
     accelerated += sum_over(
@@ -77,23 +81,22 @@ void March::settle(const Ledger& l) {
   }
   const double stored = l.strain + l.hourglass;
   const double omega = inertia > 0 ? std::sqrt(2 * stored / inertia)
-                                   : 0.0;                   // Rayleigh quotient of the motion itself
-  if (adaptive_damping_) motion_.damping_rate = 2 * omega;  // critical for the slowest mode
+                                   : 0.0;                   // Rayleigh quotient of the displacement
+  if (adaptive_damping_) motion_.damping_rate = 2 * omega;  // critical damping of the slowest mode
   if (loads == 0) force_scale_ = std::max({force_scale_, reactions, left});  // the largest so far
   const double scale = loads > 0 ? loads : force_scale_;
   const auto share = [](double part, double whole) { return part == 0 ? 0.0 : part / whole; };
-  unrest_.force = share(left, scale);
-  unrest_.displacement = !effects_.bodies_may_part() && motion_.rigid.empty()
-                             ? share(std::sqrt(accelerated), omega * omega * std::sqrt(inertia))
-                             : 0.0;
-  unrest_.motion = std::sqrt(share(l.kinetic, stored + l.contact));
+  residuals_.force = share(left, scale);
+  residuals_.displacement = !effects_.bodies_may_part() && motion_.rigid.empty()
+                                ? share(std::sqrt(accelerated), omega * omega * std::sqrt(inertia))
+                                : 0.0;
+  residuals_.motion = std::sqrt(share(l.kinetic, stored + l.contact));
   const double after = time() + 0.5 * motion_.dt;
-  unrest_.loads_change = std::any_of(effects_.all().begin(), effects_.all().end(), [&](const Effect* effect) {
-    return effect->changes_after(after);
-  });
+  residuals_.loads_change = std::any_of(effects_.all().begin(), effects_.all().end(),
+                                        [&](const Effect* effect) { return effect->changes_after(after); });
   const double tolerated = motion_.scene.settling->tolerance;
-  const bool still = unrest_.force <= tolerated && unrest_.displacement <= tolerated &&
-                     unrest_.motion <= tolerated && !unrest_.loads_change;
+  const bool still = residuals_.force <= tolerated && residuals_.displacement <= tolerated &&
+                     residuals_.motion <= tolerated && !residuals_.loads_change;
   if (!still)
     still_since_ = -1;
   else if (still_since_ < 0)
@@ -103,10 +106,10 @@ void March::settle(const Ledger& l) {
 }
 
 void March::say_what_did_not_settle() {
-  const double worst = std::max({unrest_.force, unrest_.displacement, unrest_.motion}),
+  const double worst = std::max({residuals_.force, residuals_.displacement, residuals_.motion}),
                tolerated = motion_.scene.settling->tolerance;
   std::string advice = "give it more time ([time] duration)";
-  if (unrest_.loads_change)
+  if (residuals_.loads_change)
     advice = "a load still changes: let its history end earlier, or give a longer [time] duration";
   else if (worst < 10 * tolerated)
     advice += ", or a larger [settling] tolerance";
@@ -115,13 +118,12 @@ void March::say_what_did_not_settle() {
       "not settled within {:g} s: the forces out of balance are still {:.2g} of the loads, {}what moves "
       "{:.2g} of the displacement, for a tolerance of "
       "{:g}; these results are of a body on its way and no static state: {}",
-      time(), unrest_.force,
-      to_come ? fmt::format("the displacement still to come {:.2g} and ", unrest_.displacement) : "",
-      unrest_.motion, tolerated, advice));
+      time(), residuals_.force,
+      to_come ? fmt::format("the displacement still to come {:.2g} and ", residuals_.displacement) : "",
+      residuals_.motion, tolerated, advice));
 }
 
-/// The kinetic energy of the next half step less that of the last one is dt/2 f . (v- + v+); damping has no
-/// say.
+/// Whether the kinetic energy decreases from the last half step to the next one: dt/2 f . (v- + v+) < 0.
 bool March::past_kinetic_peak() const {
   double gain = 0;
   for (const MovingBody& body : motion_.bodies)
@@ -145,7 +147,8 @@ double March::work_of_the_step() const {
   return 0.5 * motion_.dt * work;
 }
 
-/// In place of a kick. What the motion had is lost, and so is what the way back gains.
+/// Replaces a kick. The kinetic energy, and the work of the forces on the way back, count as losses to
+/// damping.
 void March::go_back_half_a_step() {
   const Kinetic k = kinetic();
   damping_loss_ += k.energy + k.damping;

@@ -1,4 +1,4 @@
-// Before the first step: bodies, effects, the step, the start.
+// What is done before the first step: bodies, effects, the critical time step, initial velocities.
 
 #include <fmt/format.h>
 
@@ -85,10 +85,10 @@ void March::add_body(std::size_t index, std::unique_ptr<Discretization> discreti
   motion_.bodies.push_back(std::move(body));
 }
 
-/// The least over the bodies, with the springs that bound what effects add to their stiffness. A spring that
-/// lets go in mid-step gives back up to (omega dt)^2 of a point's energy too much, omega^2 = k / m its own
-/// frequency; omega dt <= 1.1 keeps that small (found by trial: at 1.4 a chattering contact doubled its
-/// energy).
+/// The smallest critical step of the bodies, with springs that bound the stiffness which effects add. A
+/// contact that opens within a step creates an energy of up to (omega dt)^2 of that of the point, with
+/// omega^2 = k / m of its spring; omega dt <= 1.1 limits that (by trial: with 1.4 the energy of a chattering
+/// contact doubled).
 void March::find_critical_step() {
   critical_ = critical_alone_ = std::numeric_limits<double>::infinity();
   for (std::size_t b = 0; b < motion_.bodies.size(); ++b) {
@@ -108,8 +108,7 @@ void March::find_critical_step() {
   }
 }
 
-/// The leap-frog's first velocity belongs to half a step before the start, such that the mean of v(-1/2) and
-/// v(+1/2) is v(0).
+/// Computes v(-1/2), half a step before the start, such that the mean of v(-1/2) and v(+1/2) is v(0).
 void March::start_velocities() {
   const auto [keep, push] = motion_.leap(motion_.dt);
   for (Effect* effect : effects_.all()) effect->start(motion_);
@@ -126,7 +125,7 @@ void March::start_velocities() {
   initial_whole_ = k.energy + energy_of_half_a_kick();
   const auto strained = [](const Effect* effect) { return effect->strains_the_start(); };
   if (std::any_of(effects_.all().begin(), effects_.all().end(),
-                  strained)) {  // what bringing the bodies there has stored and dissipated
+                  strained)) {  // the energy stored and dissipated by initial displacements
     const Ledger l = ledger();
     initial_energy_ += l.strain + l.hourglass + l.plastic;
     initial_whole_ += l.strain + l.hourglass + l.plastic;

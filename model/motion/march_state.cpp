@@ -1,5 +1,4 @@
-// What a march carries from one step to the next: all that a run which is taken up again cannot work out
-// anew.
+// The state that is carried from one step to the next and that a resumed run cannot compute again.
 
 #include "model/motion/march.hpp"
 
@@ -24,8 +23,9 @@ void March::state(Archive& archive) {
   archive.below("plan", [&] {
     archive("steps", planned_);
     archive("watch_every", watch_every_);
-    for (const auto& [name, rhythm] : {std::pair{"samples", &samples_}, std::pair{"snapshots", &snapshots_}})
-      archive.below(name, [&, r = rhythm] {
+    for (const auto& [name, schedule] :
+         {std::pair{"samples", &samples_}, std::pair{"snapshots", &snapshots_}})
+      archive.below(name, [&, r = schedule] {
         archive("next", r->next);
         archive("interval", r->interval);
       });

@@ -1,24 +1,26 @@
-// A step that follows the deformation.
+// The time step is adapted to the deformation.
 //
-// The critical step of the undeformed body comes from its largest eigenvalue (critical_step.hpp). Where a law
-// gives the Kirchhoff stress by moduli c of the deformed body, tau = tau(c, ln U), the tangent by the
-// deformation gradient is
+// The critical step of the undeformed body follows from its largest eigenvalue (critical_step.hpp). If a law
+// gives the Kirchhoff stress with moduli c in the deformed body, tau = tau(c, ln U), the tangent with respect
+// to the deformation gradient is
 //   dP_iJ/dF_kL = F^-1_Jj c_ijkl F^-1_Ll + (terms of the stress, small beside c in a solid),
-// so a material point is stiffer than undeformed by at most c/c_0 / lambda^2, lambda its smallest principal
-// stretch. A generalised eigenvalue of a sum of points is at most that of the point with the largest ratio r
-// times the undeformed one: dt_critical >= dt_0 / sqrt(max r). That is the rule of explicit codes that the
-// step goes with the shortest side, for both discretizations at once: a wave needs the time lambda d / c.
-// (Belytschko, Liu & Moran, Nonlinear Finite Elements for Continua and Structures, 6.2.3 and 6.3.)
+// so that a material point becomes stiffer by a factor r of at most c/c_0 / lambda^2, with lambda its
+// smallest principal stretch. The largest eigenvalue of the body increases by at most the largest factor of
+// its points, so that dt_critical >= dt_0 / sqrt(max r). For both discretizations this is the rule of
+// explicit codes that the step is proportional to the shortest side of a cell: a wave crosses it in the time
+// lambda d / c. (Belytschko, Liu & Moran, Nonlinear Finite Elements for Continua and Structures, 6.2.3 and
+// 6.3.)
 //
-// The step only ever falls. One that comes and goes with a motion drives the fastest modes like a parametric
-// oscillator (a fast spring that a slow one stiffens fourfold and lets go again, a hundred times: its
-// amplitude grew eightyfold with a step that also rose, and stayed within the adiabatic factor of 2 with one
-// that only falls); and what has been crushed mostly stays so.
+// The step is only ever reduced. A step that decreases and increases with an oscillation excites the fastest
+// modes parametrically. (Trial: a stiff spring whose stiffness a slow one changes by a factor of four, over a
+// hundred periods. Its amplitude increased eightyfold with a step that could also increase; it remained
+// within the adiabatic factor of 2 with one that could only decrease.) And bodies that are crushed mostly
+// remain so.
 //
-// The step changes at a whole step n, where u and f are known: v(n+1/2) = v(n-1/2) + (dt_old + dt_new)/2
-// a(n). So that the march and its ledger go on as if the new step had always been, v(n-1/2) is replaced by
-// the velocity half a new step before n; 1/2 v-.M v+ jumps by 1/8 (dt_old^2 - dt_new^2) a.M a, which is no
-// energy of the body and is taken into the ledger's start.
+// The step is changed at a whole step n, where u and f are known: v(n+1/2) = v(n-1/2) + (dt_old + dt_new)/2
+// a(n). v(n-1/2) is replaced by the velocity half a new step before n, so that all formulas hold with the new
+// step. 1/2 v- . M v+ then jumps by 1/8 (dt_old^2 - dt_new^2) a . M a. This is no energy of the body, and is
+// added to the initial energy of the balance.
 
 #include <fmt/format.h>
 
@@ -31,21 +33,23 @@ namespace femsph {
 
 namespace {
 
-constexpr long longest_wait = 8;  ///< steps between two estimates; a body that is hit is looked at at once
-constexpr double reserve =
-    0.98;  ///< a lowered step stays below its limit by this, so that it is not lowered again at once
-constexpr double least_share = 0.01;  ///< of the undeformed body's step: below, the march would not end
+constexpr long longest_wait =
+    8;  ///< largest number of steps between two estimates; at a new contact the next is immediate
+constexpr double reserve = 0.98;  ///< a reduced step is smaller than its limit by this factor, so that it is
+                                  ///< not reduced again at once
+constexpr double least_share =
+    0.01;  ///< of the step of the undeformed body; with a smaller step the run would not end
 
 }  // namespace
 
 void March::plan() {
   planned_ = planned_steps();
-  const auto rhythm = [&](int count) {
+  const auto schedule = [&](int count) {
     const long every = count > 0 ? std::max(1L, planned_ / count) : planned_ + 1;
-    return Rhythm{double(every) * motion_.dt, 0};
+    return Schedule{double(every) * motion_.dt, 0};
   };
-  samples_ = rhythm(motion_.scene.samples);
-  snapshots_ = rhythm(motion_.scene.snapshots);
+  samples_ = schedule(motion_.scene.samples);
+  snapshots_ = schedule(motion_.scene.snapshots);
   watch_every_ = std::clamp(planned_ / 300, 25L, 1000L);
 }
 
@@ -63,8 +67,8 @@ void March::follow_deformation() {
       most = *s, stiffest = &body;
   if (!std::isfinite(most.ratio)) look_at_units();
   const double share = 1 / std::sqrt(most.ratio);
-  // As long as the stable step changes as fast as it did (it may turn), it changes by half of what the safety
-  // factor leaves until the next estimate.
+  // Until the next estimate the critical step may change, at its present rate, by half of the margin of the
+  // safety factor.
   const double allowed = std::clamp(0.5 * (1 / safety_ - 1), 0.005, 0.05);
   const double rate = std::abs(std::log(seen_share_ / share)) /
                       double(std::max(1L, motion_.step - seen_step_));
@@ -97,7 +101,7 @@ void March::follow_deformation() {
   }
   const double limit = safety_ * critical_now_;
   if (motion_.dt > (1 + 1e-9) * limit)
-    motion_.next_dt = reserve * limit;  // round-off of an undeformed body is no deformation
+    motion_.next_dt = reserve * limit;  // not for the round-off of an undeformed body
   if (motion_.step == 0) motion_.dt = motion_.price.dt = smallest_step_ = motion_.next_dt;
 }
 

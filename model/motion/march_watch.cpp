@@ -1,7 +1,7 @@
-// What looks after a march: numbers, energy, units and the step.
+// The checks of a run: finite numbers, energy, cells and particles, and the time step.
 //
-// Every watch_every_ steps a glance, which reads velocities only; every eighth time, and at the end, a look
-// at everything.
+// Every watch_every_ steps there is a quick check of the kinetic energy; every eighth time, and at the end, a
+// full check.
 
 #include <fmt/format.h>
 
@@ -14,11 +14,11 @@ namespace femsph {
 
 namespace {
 
-constexpr long glances_a_look = 8;
+constexpr long quick_checks = 8;  ///< for each full one
 
-/// Energy from nowhere that a look tolerates, as a share of all that has passed through. Belytschko, Liu and
-/// Moran (Nonlinear Finite Elements for Continua and Structures, 6.2.3) take a march for unstable beyond
-/// about 1 %; contact that chatters comes near that here.
+/// Tolerated error of the energy balance, relative to the energy supplied. Belytschko, Liu and Moran
+/// (Nonlinear Finite Elements for Continua and Structures, 6.2.3) regard a run as unstable beyond about 1 %;
+/// chattering contact comes near that here.
 constexpr double tolerance = 0.05;
 
 /// 1/2 v . M v at the last half step, J.
@@ -43,7 +43,7 @@ void March::watch(bool last) {
     if (keep_good_) good_.save(*this);
     return;
   }
-  if (!last && !motion_.scene.settling && motion_.step % (glances_a_look * watch_every_) != 0) {
+  if (!last && !motion_.scene.settling && motion_.step % (quick_checks * watch_every_) != 0) {
     double moving = 0;
     for (const MovingBody& body : motion_.bodies) moving += half_step_kinetic(body);
     if (!(moving <= allowance())) look_at_energy(ledger());
@@ -51,16 +51,16 @@ void March::watch(bool last) {
   }
   const Ledger l = ledger();
   look_at_energy(l);
-  if (last || motion_.step % (glances_a_look * watch_every_) == 0) {
+  if (last || motion_.step % (quick_checks * watch_every_) == 0) {
     look_at_units();
     if (keep_good_) good_.save(*this);
   }
   if (motion_.scene.settling) settle(l);
 }
 
-/// What a sound march can hold as kinetic energy at a half step, or as stored energy: in the leap-frog a mode
-/// of frequency omega and energy E reaches E / (1 - (omega dt / 2)^2) of either, and the sum of all E is what
-/// has been supplied.
+/// The largest kinetic energy at a half step, or stored energy, in a stable run (J): in the leap-frog, either
+/// energy of a mode of angular frequency omega and energy E is at most E / (1 - (omega dt / 2)^2), and the
+/// sum of all E is the energy supplied.
 double March::allowance() const {
   const double share = motion_.dt / critical_now_;
   return (1 + tolerance) * (initial_energy_ + external_passed_ + created_) /
@@ -83,7 +83,7 @@ void March::look_at_energy(const Ledger& l) {
   double moving = 0;
   for (const MovingBody& body : motion_.bodies) moving += half_step_kinetic(body);
   if (moving <= most && held <= most && from_nowhere <= tolerance * supplied + 1e-12) return;
-  look_at_units();  // a unit that cannot be followed is the nearer cause
+  look_at_units();  // a folded cell would be the more likely cause
   const std::string place = fastest_point();
   const std::string grown =
       from_nowhere > tolerance * supplied + 1e-12
@@ -105,8 +105,8 @@ void March::look_at_energy(const Ledger& l) {
        "another method");
 }
 
-/// Of what moves most, from one more step: omega^2 = -du . df / (du . M du), a Rayleigh quotient of the
-/// tangent stiffness.
+/// The angular frequency (rad/s) of the dominant motion, from one further step: omega^2 = -du . df / (du . M
+/// du), a Rayleigh quotient of the tangent stiffness.
 double March::frequency_of_motion() {
   double most = 0;
   MemoryArchive here;
@@ -129,7 +129,7 @@ double March::frequency_of_motion() {
       if (work > 0 && std::isfinite(work) && inertia > 0)
         most = std::max(most, std::sqrt(work / (motion_.dt * inertia)));
     }
-  } catch (const MotionError&) {  // a contact that does not take that step: then the frequency stays unknown
+  } catch (const MotionError&) {  // the contact does not allow that step; the frequency remains unknown
   }
   here.restore(*this);
   for (std::size_t b = 0; b < motion_.bodies.size(); ++b) motion_.bodies[b].f = before[b];
@@ -154,8 +154,8 @@ bool March::return_to_good_state() {
   return true;
 }
 
-/// The likeliest place of a trouble that shows in energies only; or the first point whose velocity is no
-/// number.
+/// The point with the largest velocity, the likely place of an instability; or the first one whose velocity
+/// is not a finite number.
 std::string March::fastest_point() const {
   std::string place = "unknown place";
   double fastest = -1;

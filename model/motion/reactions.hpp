@@ -1,10 +1,9 @@
 #pragma once
-// What supports exert on their bodies.
+// The reactions of supports.
 //
-// A component that several supports (or symmetry planes) hold counts in each with an equal share, so that the
-// sum over all of them is what holds the body; one that only one of them holds counts there whole. Moments
-// are taken about the centroid of the support's place: the mean of its points with their shares of the area,
-// moving with them in large motion.
+// The reaction on a component with n supports or symmetry planes belongs to each of them with a share of 1/n,
+// so that the sum over all supports is the total. Moments are about the centroid of the support's place: the
+// mean position of its points, weighted by their area; in large motion at the present positions.
 
 #include <utility>
 #include <vector>
@@ -13,7 +12,7 @@
 
 namespace femsph {
 
-/// Where a point is now; in small motion, where it began.
+/// The position of a point (m): in large motion the present one, in small motion the undeformed one.
 Point place_of(const March& march, const MovingBody& body, std::size_t point);
 
 struct Reaction {
@@ -24,18 +23,18 @@ struct Reaction {
     double share;
   };
   std::vector<Part> parts;
-  std::vector<Weight> area;  ///< of the place; sum 1
+  std::vector<Weight> area;  ///< points of the place with their shares of the area; sum 1
 
-  /// N, where they act: one for each part.
+  /// Position (m) and force (N) of each part.
   std::vector<std::pair<Point, Point>> forces(const March& march) const;
   Point centroid(const March& march) const;
-  /// Force (N) on the body, and its moment (N m) about the centroid.
+  /// The force (N) on the body, and its moment (N m) about the centroid.
   std::array<Point, 2> resultant(const March& march) const;
 };
 
-/// Of entry `hold` of Scene::holds(), which holds every point of its place on a body that deforms.
+/// The reaction of entry `hold` of Scene::holds(), on a deformable body and not of mode "mean".
 Reaction reaction_of(const March& march, std::size_t hold);
-/// Of all of them.
+/// The reactions of all such entries.
 std::vector<Reaction> all_reactions(const March& march);
 
 }  // namespace femsph

@@ -10,7 +10,7 @@ void Archive::misfit(std::string_view name) const {
       "a saved state does not fit this run: \"" + path_ + std::string(name) + "\" has another size");
 }
 
-// Before every block its length, so that a state that does not fit is found out.
+// The length comes before every block, so that a state that does not fit is detected.
 
 void MemoryArchive::Pass::block(std::string_view name, Kind, void* data, std::size_t count) {
   const std::size_t size = count * sizeof(double);

@@ -1,7 +1,7 @@
 #pragma once
-// One visit for saving and restoring: whoever carries history names its arrays once, in `void state(Archive&
-// a)`, and the archive either takes their values or puts them back. Everything is doubles or whole numbers of
-// eight bytes, so that a file of it is plain HDF5.
+// Saves and restores state. A class that carries state lists its variables once, in `void state(Archive& a)`;
+// the archive then saves or restores their values. All values are doubles or integers of eight bytes, so that
+// a file of them is plain HDF5.
 
 #include <array>
 #include <concepts>
@@ -15,7 +15,7 @@
 
 namespace femsph {
 
-/// How many doubles make up a T; 0: it is no array of doubles.
+/// The number of doubles in a T; 0 if it is no array of doubles.
 template <class T>
 inline constexpr std::size_t doubles_in = std::is_same_v<T, double> ? 1 : 0;
 template <std::size_t n>
@@ -24,7 +24,7 @@ inline constexpr std::size_t doubles_in<std::array<double, n>> = n;
 class Archive {
  public:
   virtual ~Archive() = default;
-  /// Values are put back instead of taken.
+  /// Whether values are restored; else they are saved.
   bool restoring() const { return restoring_; }
 
   void operator()(std::string_view name, double& value) { block(name, Kind::real, &value, 1); }
@@ -46,8 +46,8 @@ class Archive {
     block(name, Kind::whole, whole.data(), n);
     for (std::size_t i = 0; i < n; ++i) values[i] = whole[i] != 0;
   }
-  /// std::vector or AlignedVector of doubles, Points or whole numbers. On restoring it takes the length that
-  /// was saved.
+  /// std::vector or AlignedVector of doubles, Points or integers. A restored vector has the length that was
+  /// saved.
   template <class T, class A>
   void operator()(std::string_view name, std::vector<T, A>& values) {
     if constexpr (std::integral<T>) {
@@ -66,8 +66,8 @@ class Archive {
       block(name, Kind::real, values.data(), values.size() * doubles_in<T>);
     }
   }
-  /// One member of every structure of a vector, whose length is known: a.each("plastic", trusses, [](auto& t)
-  /// -> double& { return t.state.plastic; })
+  /// One member of every element of a vector, whose length does not change: a.each("plastic", trusses,
+  /// [](auto& t) -> double& { return t.state.plastic; })
   template <class S, class A, class Member>
   void each(std::string_view name, std::vector<S, A>& structures, Member&& member) {
     using Value = std::decay_t<std::invoke_result_t<Member, S&>>;
@@ -79,7 +79,7 @@ class Archive {
     if (restoring_)
       for (std::size_t i = 0; i < values.size(); ++i) std::invoke(member, structures[i]) = Value(values[i]);
   }
-  /// What `visit` names goes below this name: "beam/stress".
+  /// The names in `visit` are within the name `name`: "beam/stress".
   template <class Visit>
   void below(std::string_view name, Visit&& visit) {
     const std::size_t before = path_.size();
@@ -91,11 +91,11 @@ class Archive {
  protected:
   enum class Kind { real, whole };
   explicit Archive(bool restoring) : restoring_(restoring) {}
-  /// Takes `count` values of eight bytes from `data`, or puts them there.
+  /// Saves `count` values of eight bytes from `data`, or restores them there.
   virtual void block(std::string_view name, Kind kind, void* data, std::size_t count) = 0;
-  /// How many values the next block has: `now` when saving.
+  /// The number of values of the next block; `now` when saving.
   virtual std::size_t length(std::string_view name, std::size_t now) = 0;
-  /// The archive does not fit what it is put back into: throws std::runtime_error.
+  /// Throws std::runtime_error: the saved state does not fit the object.
   [[noreturn]] void misfit(std::string_view name) const;
   const std::string& path() const { return path_; }
 
@@ -104,7 +104,7 @@ class Archive {
   std::string path_;
 };
 
-/// A state held in memory, to go back to. Saving again uses the same memory.
+/// An archive in memory. Saving again reuses its memory.
 class MemoryArchive {
  public:
   template <class Visited>

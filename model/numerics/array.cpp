@@ -20,7 +20,7 @@ void* allocate_aligned(std::size_t bytes) {
 #ifdef MADV_HUGEPAGE
   if (bytes >= 2 * huge_page)
     madvise(p, bytes / huge_page * huge_page,
-            MADV_HUGEPAGE);  // a wish: whether it is granted changes no result
+            MADV_HUGEPAGE);  // a hint, without effect on results
 #endif
   return p;
 }

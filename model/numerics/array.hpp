@@ -7,8 +7,9 @@
 
 namespace femsph {
 
-/// Memory on 64-byte boundaries: a cache line, and the width of a Pack. Large blocks ask for huge pages: the
-/// state of a plastic body alone is a thousand bytes a cell, and prefetching ends at a page.
+/// Allocates on 64-byte boundaries: a cache line, and the width of a Pack. Large blocks use huge pages where
+/// the system has them: the state of a plastic body takes about a thousand bytes for each cell, and hardware
+/// prefetching stops at the end of a page.
 void* allocate_aligned(std::size_t bytes);
 void release_aligned(void* p, std::size_t bytes);
 

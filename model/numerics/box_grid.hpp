@@ -1,6 +1,6 @@
 #pragma once
-// Finds the few of many axis-parallel boxes that may hold a point: a uniform grid of buckets over their
-// common bounding box.
+// Finds which of many boxes (parallel to the axes) may contain a point, by a uniform grid of buckets over all
+// of them.
 
 #include <algorithm>
 #include <array>
@@ -19,8 +19,8 @@ class BoxGrid {
   BoxGrid() = default;
   explicit BoxGrid(const std::vector<Box>& boxes);
 
-  /// True as soon as `holds(i)` is true for one of the boxes i that are within `tolerance` of p; a box may be
-  /// asked twice.
+  /// Whether holds(i) is true for one of the boxes i within `tolerance` of p. It may be called twice for a
+  /// box, and is not called further once it is true.
   template <class Predicate>
   bool any_near(const Point& p, double tolerance, Predicate holds) const {
     if (entries_.empty()) return false;
@@ -40,7 +40,7 @@ class BoxGrid {
 
   static Point shifted(const Point& p, double by) { return {p[0] + by, p[1] + by, p[2] + by}; }
   std::size_t bucket(int i, int j, int k) const { return (std::size_t(k) * count_[1] + j) * count_[0] + i; }
-  /// Buckets that a box overlaps; those outside of the grid are moved to its nearest ones.
+  /// The range of buckets that a box overlaps, limited to the grid.
   std::pair<Index, Index> range(const Box& box) const;
 
   Point lower_{};

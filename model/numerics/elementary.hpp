@@ -1,5 +1,6 @@
 #pragma once
-// Logarithm and exponential of eight lanes at once, to about an ulp; for one double they are the library's.
+// Logarithm and exponential of a Pack with an error of about one ulp; for double those of the standard
+// library.
 
 #include "model/numerics/simd.hpp"
 
@@ -8,7 +9,7 @@ namespace femsph {
 namespace elementary {
 
 inline constexpr double round_by =
-    6755399441055744.0;  ///< 1.5 2^52: added and taken away, it rounds to a whole number
+    6755399441055744.0;  ///< 1.5 2^52: adding and subtracting it rounds to an integer
 
 FEMSPH_INLINE Pack from_bits(PackMask bits) { return reinterpret_cast<Pack>(bits); }
 FEMSPH_INLINE PackMask to_bits(Pack x) { return reinterpret_cast<PackMask>(x); }
@@ -16,7 +17,7 @@ FEMSPH_INLINE PackMask to_bits(Pack x) { return reinterpret_cast<PackMask>(x); }
 /// u = 2^k m with sqrt(1/2) <= m < sqrt(2); u normal and positive.
 FEMSPH_INLINE void split(Pack u, Pack& k, Pack& m) {
   constexpr long root_half = 0x3fe6a09e667f3bcd, one = 0x3ff0000000000000, fraction = 0x000fffffffffffff;
-  using Bits = unsigned long __attribute__((vector_size(sizeof(PackMask))));  // infinity's wrap around
+  using Bits = unsigned long __attribute__((vector_size(sizeof(PackMask))));  // that of infinity wraps around
   const PackMask bits = reinterpret_cast<PackMask>(
       reinterpret_cast<Bits>(u) + static_cast<unsigned long>(one - root_half));
   k = from_bits(((bits >> 52) - 1023) + to_bits(broadcast<Pack>(round_by))) - round_by;
@@ -54,7 +55,7 @@ FEMSPH_INLINE Pack log_of_1_plus(Pack x) {
   const Pack u = 1.0 + x;
   Pack k, m;
   elementary::split(u, k, m);
-  const Pack lost = select(x < 1.0, x - (u - 1.0), 1.0 - (u - x)) / u;  // what rounding u has taken
+  const Pack lost = select(x < 1.0, x - (u - 1.0), 1.0 - (u - x)) / u;  // the rounding error of u
   const auto near = k == 0.0;
   const Pack y = elementary::logarithm(k, select(near, x, m - 1.0), select(near, Pack{}, lost));
   return select(u > 0.0, y, broadcast<Pack>(__builtin_nan("")));
@@ -66,7 +67,7 @@ FEMSPH_INLINE Pack exponential(Pack x) {
   x = select(x < -700.0, broadcast<Pack>(-700.0), select(x > 700.0, broadcast<Pack>(700.0), x));
   const Pack shifted = x * 1.44269504088896340736 + elementary::round_by, k = shifted - elementary::round_by;
   const Pack r = (x - k * 6.93147180369123816490e-01) - k * 1.90821492927058770002e-10;  // |r| <= ln(2)/2
-  Pack y = broadcast<Pack>(1.0 / 6227020800.0);  // Taylor to r^13: what is left is below 1e-17
+  Pack y = broadcast<Pack>(1.0 / 6227020800.0);  // Taylor series to r^13: the error is below 1e-17
   for (const double c : {1.0 / 479001600.0, 1.0 / 39916800.0, 1.0 / 3628800.0, 1.0 / 362880.0, 1.0 / 40320.0,
                          1.0 / 5040.0, 1.0 / 720.0, 1.0 / 120.0, 1.0 / 24.0, 1.0 / 6.0, 0.5, 1.0, 1.0})
     y = y * r + c;

@@ -15,7 +15,7 @@ std::array<double, 4> linear_basis(const Point& x, const Point& p, double radius
   return {1, z[0], z[1], z[2]};
 }
 
-/// The weights of the fit to the points within `radius`; none if these do not determine a linear field.
+/// The weights of the fit to the points within `radius`; empty if these do not determine a linear field.
 std::vector<Weight> fit(std::span<const Point> points, std::size_t n, const Point& p, double radius) {
   constexpr double least_pivot = 1e-8;  // the weights sum to 1 and the basis is of order 1
   std::vector<Weight> near;

@@ -21,11 +21,11 @@ int& thread_count() {
   return n;
 }
 
-/// This thread works on a task: loops inside of it run on it alone.
+/// Whether this thread runs a task; loops inside of it then run on this thread only.
 thread_local bool inside_task = false;
 
-/// Waits until `value` differs from `old`: watching closely for 10 to 20 microseconds (a pause takes up to
-/// 140 cycles), then asleep.
+/// Waits until `value` differs from `old`: actively for 10 to 20 microseconds (a pause takes up to 140
+/// cycles), then asleep.
 unsigned wait_for_change(const std::atomic<unsigned>& value, unsigned old) {
   for (int turn = 0; turn < 400; ++turn) {
     const unsigned now = value.load(std::memory_order_acquire);
@@ -38,7 +38,7 @@ unsigned wait_for_change(const std::atomic<unsigned>& value, unsigned old) {
   return value.load(std::memory_order_acquire);
 }
 
-/// The threads behind run_on_threads: worker i does task i + 1.
+/// The threads of run_on_threads(): worker i runs task i + 1.
 class Pool {
  public:
   explicit Pool(int workers) {
@@ -66,7 +66,7 @@ class Pool {
     round_.fetch_add(1, std::memory_order_release);
     round_.notify_all();
   }
-  /// The first exception of any thread is thrown again on the calling one.
+  /// The first exception of any thread is rethrown on the calling thread.
   void guarded(int i) {
     inside_task = true;
     try {

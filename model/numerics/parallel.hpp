@@ -1,7 +1,7 @@
 #pragma once
-// Threads. One number governs every parallel loop of the program. The work is cut into chunks whose
-// borders depend on the problem only, and partial sums are added in chunk order: results never
-// depend on how many threads ran.
+// Threads. One number of threads holds for all parallel loops of the program. Sums are cut into chunks whose
+// bounds depend on the problem only, and the partial sums are added in the order of the chunks, so that
+// results do not depend on the number of threads.
 
 #include <array>
 #include <cstddef>
@@ -10,25 +10,25 @@
 
 namespace femsph {
 
-/// How many threads the parallel loops use.
+/// The number of threads of parallel loops.
 int threads();
 void set_threads(int n);
 
-/// Lets the calling thread treat numbers below 1e-307 as 0 (the loops' own threads always do). The front of a
-/// wave leaves such numbers behind it, and a processor takes ten times longer over each.
+/// Makes the calling thread treat numbers below 1e-307 as 0, as the threads of loops always do. Ahead of a
+/// wave front such numbers are frequent, and operations on them take ten times as long.
 void flush_denormals();
 
-/// Runs task(0) .. task(n - 1) at the same time, one of them on the calling thread, and returns when all are
-/// done. The threads stay for the next call: they look out for it for some microseconds and then sleep, so
-/// that a busy machine is not made busier. Not for use inside a task.
+/// Runs task(0) .. task(n - 1) at the same time, one of them on the calling thread, and returns when all have
+/// ended. The threads remain for the next call: they wait actively for some microseconds and then sleep. Must
+/// not be called inside a task.
 void run_on_threads(int n, const std::function<void(int)>& task);
 
-/// Below this many particles or cells a loop is not worth a fork.
+/// A loop over fewer particles or cells than this runs on one thread.
 inline constexpr std::size_t serial_below = 8192;
 
-/// Calls body(begin, end) on ranges that cover [0, n); the borders are multiples of `grain`. An item stands
-/// for `weight` particles or cells. The ranges may depend on the thread count, so body must treat each item
-/// on its own.
+/// Calls body(begin, end) on ranges that cover [0, n) with bounds that are multiples of `grain`. An item
+/// costs as much as `weight` particles or cells. The ranges may depend on the number of threads, so body must
+/// treat each item independently.
 template <class Body>
 void parallel_for(std::size_t n, std::size_t grain, Body&& body, std::size_t weight = 1) {
   const std::size_t t = n * weight < serial_below ? 1 : static_cast<std::size_t>(threads());
@@ -44,8 +44,8 @@ void parallel_for(std::size_t n, std::size_t grain, Body&& body, std::size_t wei
   });
 }
 
-/// Sums of what body(begin, end) returns (std::array<double, count>) over fixed chunks of [0, n), added in
-/// chunk order: the same to the last bit for any thread count.
+/// The sums of what body(begin, end) returns (std::array<double, count>) over fixed chunks of [0, n), added
+/// in the order of the chunks: the same to the last bit for any number of threads.
 template <std::size_t count, class Body>
 std::array<double, count> parallel_sums(std::size_t n, Body&& body) {
   using Sums = std::array<double, count>;

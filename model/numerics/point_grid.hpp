@@ -1,5 +1,5 @@
 #pragma once
-// Finds the few of many points that may lie in a box: a uniform grid of bins over their common bounding box.
+// Finds which of many points may lie in a box, by a uniform grid of bins over all points.
 
 #include <array>
 #include <cstddef>
@@ -15,8 +15,8 @@ class PointGrid {
   /// Bins of about `size` along each of the first `dim` axes.
   PointGrid(const std::vector<Point>& points, int dim, const Point& size);
 
-  /// The points of all bins that the box overlaps, in order of their numbers: those in the box, and some
-  /// around it.
+  /// The points of all bins that the box overlaps, in the order of their numbers: those in the box, and some
+  /// near it.
   std::vector<std::size_t> within(const Point& lower, const Point& upper) const;
 
  private:

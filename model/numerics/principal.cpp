@@ -14,9 +14,8 @@ std::array<double, 3> principal_values(const std::array<double, 6>& t) {
     const double mean = 0.5 * (xx + yy), radius = std::hypot(0.5 * (xx - yy), xy);  // Mohr's circle
     values = {mean + radius, mean - radius, zz};
   } else {
-    // By iteration, which is right to round-off of the largest value, equal ones included. Eigen's
-    // computeDirect (the closed solution of the cubic) loses half of the digits where values are nearly
-    // equal.
+    // By iteration, which is accurate to round-off of the largest value even for equal values. Eigen's
+    // computeDirect (the closed solution of the cubic) loses half of the digits for nearly equal values.
     Eigen::Matrix3d a;
     a << xx, xy, zx, xy, yy, yz, zx, yz, zz;
     const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(a, Eigen::EigenvaluesOnly);

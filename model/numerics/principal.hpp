@@ -1,13 +1,12 @@
 #pragma once
 
-// Invariants of a stress: principal values and von Mises' stress.
+// Invariants of a stress: principal values and the von Mises stress.
 
 #include <array>
 
 namespace femsph {
 
-/// The principal values of a symmetric tensor xx yy zz xy yz zx, the largest first; the one across a plane
-/// included.
+/// The three principal values of a symmetric tensor xx yy zz xy yz zx, the largest first.
 std::array<double, 3> principal_values(const std::array<double, 6>& t);
 
 /// sqrt(3/2 s:s) with s the deviator of the stress xx yy zz xy yz zx.

@@ -6,8 +6,8 @@ namespace femsph {
 
 namespace {
 
-/// Eigen's LDLT chooses its pivots from the diagonal of A as it was given, not of what elimination has left
-/// of it, and so does not find the rank.
+/// Eigen's LDLT chooses its pivots from the original diagonal of A, not from the remaining one, and therefore
+/// does not find the rank.
 template <int most>
 SemidefiniteSolution solve(std::span<const double> values, std::span<const double> right, double least_pivot,
                            std::size_t leading) {
@@ -44,7 +44,7 @@ SemidefiniteSolution solve(std::span<const double> values, std::span<const doubl
 
 SemidefiniteSolution solve_semidefinite(std::span<const double> A, std::span<const double> b,
                                         double least_pivot, std::size_t leading) {
-  constexpr int small = 10;  // unknowns that need no memory of their own
+  constexpr int small = 10;  // systems up to this size need no allocation
   return b.size() <= std::size_t(small) ? solve<small>(A, b, least_pivot, leading)
                                         : solve<Eigen::Dynamic>(A, b, least_pivot, leading);
 }

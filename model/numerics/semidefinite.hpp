@@ -9,8 +9,8 @@ namespace femsph {
 /// Solves A x = b for a symmetric positive semidefinite A (n x n, row by row) by Cholesky's factorization
 /// with diagonal pivots (Higham, Accuracy and Stability of Numerical Algorithms, 2002, section 10.3).
 /// Elimination ends at the first pivot that is not above `least_pivot`: unknowns that A does not determine
-/// stay 0, and their equations are left out. The first `leading` unknowns are eliminated before all others,
-/// in order.
+/// are 0, and their equations are left out. The first `leading` unknowns are eliminated before the others, in
+/// their order.
 struct SemidefiniteSolution {
   std::vector<double> x;
   std::size_t rank = 0;  ///< number of unknowns that were solved for

@@ -1,7 +1,7 @@
 #pragma once
-// A pack of eight doubles, and the same functions for one double, so that a kernel written as
-// template <class T> runs as SIMD code with T = Pack and as its own scalar reference with T = double.
-// GCC lowers the eight lanes to whatever the target has (2 x 4 on AVX2, 4 x 2 on SSE2).
+// A pack of eight doubles, and the same functions for one double, so that a kernel written as template <class
+// T> runs as SIMD code with T = Pack and as its own scalar reference with T = double. The compiler maps the
+// eight lanes to the vector registers of the target (2 x 4 on AVX2, 4 x 2 on SSE2).
 
 #include <cmath>
 #include <cstddef>

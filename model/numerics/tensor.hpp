@@ -46,7 +46,7 @@ FEMSPH_INLINE T trace(const Symmetric<T, dim>& s) {
   return t;
 }
 
-/// a : b over the components of the plane (or of space).
+/// a : b, in 2D over the components of the plane.
 template <class T, int dim>
 FEMSPH_INLINE T contract(const Symmetric<T, dim>& a, const Symmetric<T, dim>& b) {
   T diagonal = a[0] * b[0], shear = a[dim] * b[dim];

@@ -1,5 +1,5 @@
 #pragma once
-// Arithmetic of points, for code that is not hot.
+// Arithmetic of points, for code whose speed does not matter.
 
 #include <cmath>
 

@@ -4,7 +4,7 @@
 
 namespace femsph {
 
-/// A share of something that belongs to one point.
+/// A point and its weight in a sum.
 struct Weight {
   std::size_t point;
   double weight;

@@ -71,8 +71,8 @@ void CellMeans::fill(const Discretization& d, const double* u, const std::vector
   if (cells == 0) out.plastic.clear();
 }
 
-/// Points e k .. e k + k - 1 of state_ are those of `cell`; k = 1 leaves every value as it is, to the last
-/// bit.
+/// The points e k .. e k + k - 1 of state_ belong to `cell`. With k = 1 all values remain the same to the
+/// last bit.
 void CellMeans::mean(std::size_t e, std::size_t cell, std::size_t k, const double* shares,
                      CellFields& out) const {
   double stress[9] = {}, strain[9] = {}, equivalent = 0, plastic = 0;

@@ -1,5 +1,5 @@
 #pragma once
-// Stress and strain of cells: the means of their material points by volume.
+// Stress and strain of cells: means of their material points, weighted by volume.
 
 #include <array>
 #include <cmath>
@@ -12,8 +12,8 @@ namespace femsph {
 /// Where the nine components xx xy xz yx yy yz zx zy zz stand in xx yy zz xy yz zx.
 inline constexpr std::array<int, 9> six_of_nine{0, 3, 5, 3, 1, 4, 5, 4, 2};
 
-/// a b + c, in one rounding where the processor can. Written out, since the compiler's choice may depend on
-/// how it unrolls the loop around, and the bits must not.
+/// a b + c, with one rounding where the processor supports it. Explicit, because the compiler might use it or
+/// not depending on the surrounding loop, which would change the last bits.
 inline double multiply_add(double a, double b, double c) {
 #ifdef __FMA__
   return std::fma(a, b, c);
@@ -27,15 +27,14 @@ struct CellFields {
   std::vector<double> equivalent;      ///< mean von Mises stress of the points
   std::vector<double> principal;       ///< three a cell, of the mean stress, the largest first
   std::vector<double> plastic;         ///< empty when the law has none
-  MaterialState flow;                  ///< means of the stress bounds; filled when points are to be recovered
+  MaterialState flow;                  ///< means of the limits of stress; only for recovered fields
 };
 
-/// The part of its cell's volume that each material point stands for, undeformed; empty when a cell has one
-/// point.
+/// The share of each material point in the undeformed volume of its cell; empty if cells have one point.
 std::vector<double> volume_shares(const Discretization& d, std::size_t cells);
 
-/// Works on some thousand cells at a time, so that the states of their points stay in the caches. What a
-/// discretization prepares for one call (mirrored particles) it prepares eight times at most.
+/// Works on some thousand cells at a time, so that the states of their points stay in the caches, but in at
+/// most eight parts, since a discretization may do the same preparation (mirrored particles) in every call.
 class CellMeans {
  public:
   void fill(const Discretization& d, const double* u, const std::vector<double>& share, std::size_t cells,

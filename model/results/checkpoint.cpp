@@ -15,12 +15,13 @@ namespace {
 
 constexpr int format = 1;
 
-/// The last line, which HDF5 does not mind: "femsph checkpoint 12345 bytes 0123456789abcdef".
+/// The last line, which HDF5 ignores: "femsph checkpoint 12345 bytes 0123456789abcdef".
 std::string tail_of(std::string_view bytes) {
   return fmt::format("\nfemsph checkpoint {:20} bytes {:016x}\n", bytes.size(), checksum(bytes));
 }
 
-/// The program by its own bytes: results are the same to the last bit only where the code is.
+/// The version, and a checksum of the program file: results are the same to the last bit only with the same
+/// code.
 std::string program() {
   static const std::string name = [] {
     std::ifstream in("/proc/self/exe", std::ios::binary);
@@ -76,7 +77,7 @@ std::uint64_t checksum(std::string_view bytes, std::uint64_t seed) {
     const std::size_t n = std::min(bytes.size(), sizeof word);
     std::memcpy(&word, bytes.data(), n);
     sum = (sum ^ word) * prime;
-    sum ^= sum >> 32;  // or else high bits would reach only higher ones
+    sum ^= sum >> 32;  // so that high bits also affect lower ones
     bytes.remove_prefix(n);
   }
   return sum;
@@ -108,7 +109,7 @@ Checkpoint::Checkpoint(const std::string& file, bool any_program) : file_(file) 
   std::error_code none;
   std::ifstream in;
   if (std::filesystem::is_regular_file(file, none))
-    in.open(file, std::ios::binary | std::ios::ate);  // a folder opens too, and a pipe waits
+    in.open(file, std::ios::binary | std::ios::ate);  // a folder can be opened too, and a pipe would block
   if (!in.is_open() || !in)
     refuse(file,
            "no checkpoint can be read there; a run leaves one with --checkpoint, or when it is interrupted");

@@ -1,6 +1,6 @@
 #pragma once
-// A run on disk, whole, to be taken up again: one HDF5 file, with a last line that says how long it is and
-// what its bytes add up to.
+// Checkpoints: the complete state of a run in one HDF5 file, which ends with a line that has its length and
+// checksum.
 
 #include <cstdint>
 #include <functional>
@@ -12,29 +12,29 @@
 
 namespace femsph {
 
-/// What to start again from, before any state is put back.
+/// What is needed to set up the run again, before its state is restored.
 struct RunOrigin {
   std::string scene_file, scene_path,
-      scene_text;                      ///< as the user gave it; absolute, for mesh files; its bytes
+      scene_text;  ///< the path as given by the user; the absolute path, for mesh files; the content
   std::vector<std::string> arguments;  ///< of the command line, the program first
   std::uint64_t meshes = 0;            ///< checksum of the scene's mesh files as they were read
   std::string progress;                ///< "step 1200 of 4000"
 };
 
-/// Writes `file` in one piece, to a temporary name that is then renamed: the checkpoint before stays until
-/// this one is whole. `visit` names the state. Throws std::runtime_error naming the file and the system's
+/// Writes `file` under a temporary name that is then renamed, so that the previous checkpoint remains until
+/// this one is complete. `visit` lists the state. Throws std::runtime_error with the file and the system's
 /// reason.
 void write_checkpoint(const std::string& file, const RunOrigin& origin,
                       const std::function<void(Archive&)>& visit);
 
 class Checkpoint {
  public:
-  /// Reads and checks the file. Throws InputError: none there, cut short, damaged, of another format or
-  /// (unless `any_program`) of another program.
+  /// Reads and checks the file. Throws InputError if it does not exist, is incomplete or damaged, has another
+  /// format, or (unless `any_program`) was written by another build.
   Checkpoint(const std::string& file, bool any_program);
   const RunOrigin& origin() const { return origin_; }
   const std::string& file() const { return file_; }
-  /// Puts the state back. Throws InputError where it does not fit.
+  /// Restores the state. Throws InputError if it does not fit.
   void restore(const std::function<void(Archive&)>& visit) const;
 
  private:
@@ -42,7 +42,7 @@ class Checkpoint {
   RunOrigin origin_;
 };
 
-/// Sixty-four bits of the bytes: any changed word changes them.
+/// A checksum of 64 bits.
 std::uint64_t checksum(std::string_view bytes, std::uint64_t seed = 0);
 
 }  // namespace femsph

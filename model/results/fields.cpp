@@ -19,7 +19,7 @@ namespace {
 
 const std::string geometry_file = "fields/bodies.h5";
 
-/// A flat vector field as rows of three components.
+/// A flat vector as rows of three components.
 const std::vector<double>& rows(const Layout& layout, const double* flat, std::vector<double>& out) {
   out.resize(3 * layout.points);
   parallel_for(layout.points, 64, [&](std::size_t begin, std::size_t end) {
@@ -59,7 +59,7 @@ struct FieldWriter::Impl {
   std::vector<std::optional<Plane>> recovered;  ///< of each body: its points have recovered values too
   std::vector<std::unique_ptr<RecoveredFields>> at_points;  ///< of these, from the first snapshot on
   CellMeans means;
-  /// These two are kept for their memory: new pages cost as much as writing to them.
+  /// Buffers that are reused: allocating new memory costs as much as filling it.
   CellFields cells;
   std::vector<double> point_rows;
   std::future<void> writing;  ///< of `frame`, by commit_later()
@@ -85,7 +85,7 @@ struct FieldWriter::Impl {
   }
 };
 
-/// The description first, so that it never refers to what is gone.
+/// The XDMF file is removed first, so that it never refers to files that are gone.
 void remove_earlier_fields(const std::string& folder) {
   remove_file(folder + "/fields.xdmf");
   remove_file(folder + "/last_good.xdmf");
@@ -96,7 +96,7 @@ void remove_earlier_fields(const std::string& folder) {
     if (entry.path().extension() == ".h5" && (number || stem == "bodies" || stem == "last_good"))
       remove_file(entry.path());
   }
-  std::filesystem::remove(folder + "/fields", none);  // unless something of others is in there
+  std::filesystem::remove(folder + "/fields", none);  // only if it is empty
 }
 
 FieldWriter::FieldWriter(const std::string& folder, bool taken_up) : impl_(std::make_unique<Impl>()) {

@@ -10,7 +10,7 @@ namespace femsph {
 
 namespace {
 
-/// The weighted sum of the values, kept within their range.
+/// The weighted sum of the values, limited to their range.
 double kept_within(std::span<const Weight> weights, const std::vector<double>& values) {
   double sum = 0, low = values[0], high = values[0];
   for (std::size_t k = 0; k < values.size(); ++k) {

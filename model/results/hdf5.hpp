@@ -1,9 +1,8 @@
 #pragma once
-// Internal to results/: the little of HDF5's C interface that results need.
+// Internal to results/: HDF5 files in memory, with the C interface of HDF5.
 //
-// A file is composed in memory (HDF5's core driver) and handed over as bytes, which write_whole() puts on the
-// disk. So HDF5 never meets a full disk or a missing folder, which it reports late, and after a failed close
-// keeps trying until the program ends.
+// A file is composed in memory (core driver of HDF5) and then written by write_whole(). So HDF5 never has to
+// handle a full disk or a missing folder, which it reports late and retries until the program ends.
 
 #include <fmt/format.h>
 #include <hdf5.h>
@@ -52,10 +51,37 @@ hid_t memory_type() {
     return H5T_NATIVE_INT64;
 }
 
-/// An HDF5 file in memory. Errors throw std::runtime_error naming the file that it is to become.
-class Image {
+/// What the two kinds of files in memory share: the name of the file on disk, and the check of every call.
+class MemoryFile {
+ protected:
+  /// `verb`: "write" or "read", for messages.
+  MemoryFile(std::string file, const char* verb) : file_(std::move(file)), verb_(verb) {
+    H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);  // errors become exceptions, not text on stderr
+  }
+  /// Throws std::runtime_error where HDF5 has returned an error.
+  template <class Result>
+  Result check(Result result, const std::string& path) const {
+    if (result < 0)
+      throw std::runtime_error(fmt::format("cannot {} {} (HDF5, {}): {}", verb_, file_, path, reason()));
+    return result;
+  }
+  /// Access to a file in memory.
+  Handle core_access() const {
+    Handle access(check(H5Pcreate(H5P_FILE_ACCESS), "/"), H5Pclose);
+    check(H5Pset_fapl_core(access, 1 << 20, 0), "/");
+    return access;
+  }
+  std::string file_;
+
+ private:
+  const char* verb_;
+};
+
+/// An HDF5 file that is composed in memory. Errors throw std::runtime_error naming the file that it is to
+/// become.
+class Image : MemoryFile {
  public:
-  explicit Image(std::string file) : file_(std::move(file)), id_(create()) {}
+  explicit Image(std::string file) : MemoryFile(std::move(file), "write"), id_(create()) {}
 
   /// Values row by row; groups on the way to `path` are created. T is double or long long.
   template <class T>
@@ -68,7 +94,7 @@ class Image {
     check(H5Pset_create_intermediate_group(links, 1), path);
     const Handle creation(check(H5Pcreate(H5P_DATASET_CREATE), path), H5Pclose);
     check(H5Pset_obj_track_times(creation, 0),
-          path);  // equal results are equal files, whenever they were written
+          path);  // no times, so that equal results give equal files
     const Handle set(
         check(H5Dcreate2(id_, path.c_str(), type, space, links, creation, H5P_DEFAULT), path), H5Dclose);
     if (values) check(H5Dwrite(set, type, H5S_ALL, H5S_ALL, H5P_DEFAULT, values), path);
@@ -98,9 +124,7 @@ class Image {
 
  private:
   Handle create() const {
-    H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);  // errors become exceptions, not text on stderr
-    const Handle access(check(H5Pcreate(H5P_FILE_ACCESS), "/"), H5Pclose);
-    check(H5Pset_fapl_core(access, 1 << 20, 0), "/");
+    const Handle access = core_access();
     const Handle creation(check(H5Pcreate(H5P_FILE_CREATE), "/"), H5Pclose);
     check(H5Pset_link_creation_order(creation, H5P_CRT_ORDER_TRACKED | H5P_CRT_ORDER_INDEXED),
           "/");  // columns keep their order
@@ -116,22 +140,14 @@ class Image {
     check(H5Awrite(a, type, value), path);
   }
 
-  template <class Result>
-  Result check(Result result, const std::string& path) const {
-    if (result < 0)
-      throw std::runtime_error(fmt::format("cannot write {} (HDF5, {}): {}", file_, path, reason()));
-    return result;
-  }
-
-  std::string file_;
   Handle id_;
 };
 
-/// An HDF5 file that lies in memory as bytes, to read. Errors throw std::runtime_error naming the file that
+/// An HDF5 file that is read from bytes in memory. Errors throw std::runtime_error naming the file that
 /// it came from.
-class Opened {
+class Opened : MemoryFile {
  public:
-  Opened(std::string file, std::string_view bytes) : file_(std::move(file)), id_(open(bytes)) {}
+  Opened(std::string file, std::string_view bytes) : MemoryFile(std::move(file), "read"), id_(open(bytes)) {}
 
   /// Number of values of a dataset.
   std::size_t length(const std::string& path) const {
@@ -155,21 +171,11 @@ class Opened {
 
  private:
   Handle open(std::string_view bytes) const {
-    H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);
-    const Handle access(check(H5Pcreate(H5P_FILE_ACCESS), "/"), H5Pclose);
-    check(H5Pset_fapl_core(access, 1 << 20, 0), "/");
+    const Handle access = core_access();
     check(H5Pset_file_image(access, const_cast<char*>(bytes.data()), bytes.size()), "/");  // it takes a copy
     const std::string name = file_ + " in memory";  // HDF5 insists that no file of that name exists
     return {check(H5Fopen(name.c_str(), H5F_ACC_RDONLY, access), "/"), H5Fclose};
   }
-  template <class Result>
-  Result check(Result result, const std::string& path) const {
-    if (result < 0)
-      throw std::runtime_error(fmt::format("cannot read {} (HDF5, {}): {}", file_, path, reason()));
-    return result;
-  }
-
-  std::string file_;
   Handle id_;
 };
 

@@ -24,7 +24,7 @@ void require_equal_lengths(const std::vector<Column>& columns, const std::string
                                          columns[0].values.size(), c.name, c.values.size()));
 }
 
-/// RFC 4180: a field that holds a separator is quoted, quotes inside are doubled.
+/// RFC 4180: a field that contains a separator is quoted, and quotes in it are doubled.
 std::string csv_field(const std::string& text) {
   if (text.find_first_of(",\"\r\n") == std::string::npos) return text;
   std::string quoted = "\"";
@@ -50,7 +50,7 @@ void write_csv(const std::vector<Column>& columns, const std::string& file) {
     line([&](const Column& c) {
       const double x = c.values[row];
       fmt::format_to(fmt::appender(out), "{:.17g}",
-                     std::isnan(x) ? std::abs(x) : x);  // "-nan" is not a number to every reader
+                     std::isnan(x) ? std::abs(x) : x);  // not every reader accepts "-nan"
     });
   write_whole({out.data(), out.size()}, file);
 }

@@ -29,15 +29,15 @@ struct Profile {
   std::vector<Column> columns;   ///< components
 };
 
-/// Writes `file` in one piece: to a temporary name, then renamed. CSV: a line "name [unit],..", 17
-/// significant digits. Throws std::runtime_error naming the file and the system's reason. The folder must
+/// Writes `file` under a temporary name, which is then renamed. CSV: a header "name [unit],..", and 17
+/// significant digits. Throws std::runtime_error with the file and the system's reason. The folder must
 /// exist.
 void write_csv(const History& history, const std::string& file);
-/// distance, the profile's columns, and its time in every row.
+/// Columns: distance, those of the profile, and time.
 void write_csv(const Profile& profile, const std::string& file);
-/// HDF5: one dataset per column with an attribute "unit".
+/// HDF5: one dataset for each column, with an attribute "unit".
 void write_hdf5(const History& history, const std::string& file);
-/// Text in one piece, to a temporary name, then renamed.
+/// Writes a text under a temporary name, which is then renamed.
 void write_text(const std::string& text, const std::string& file);
 
 }  // namespace femsph

@@ -5,8 +5,8 @@
 namespace femsph {
 namespace {
 
-/// A history that grows by columns of new names. Names of probes, rigid bodies and supports may meet in one:
-/// "support_foot_force" and "foot".
+/// Adds columns, each with a new name. Names of probes, rigid bodies and supports can give equal columns: a
+/// probe "support_foot_force" and a support "foot".
 struct Columns {
   const Scene& scene;
   History history{};

@@ -6,15 +6,15 @@
 
 namespace femsph {
 
-/// time, every probe's components (NAME_x, ..), energies, momenta, rigid bodies, contacts, reactions; in the
-/// order in which Recorder::sample fills them. Throws InputError when two would have one name.
+/// Time, components of the probes (NAME_x, ..), energies, momenta, rigid bodies, contacts and reactions, in
+/// the order in which Recorder::sample fills them. Throws InputError if two columns would have the same name.
 History history_columns(const Scene& scene);
 
-/// The supports whose reactions are taken, as indices into scene.holds(): of deformable bodies, point by
-/// point. Those with a name have columns.
+/// The supports whose reactions are computed, as indices into scene.holds(): those of deformable bodies,
+/// except mode "mean". Those with a name have columns.
 std::vector<std::size_t> holds_with_reactions(const Scene& scene);
 
-/// The columns that hold an energy, J: those of every scene, and those of some effect.
+/// The names of the columns of energies, J: first those of every scene, then those of effects.
 const std::vector<std::string>& energy_columns();
 
 }  // namespace femsph

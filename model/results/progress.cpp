@@ -19,7 +19,7 @@ bool can_overwrite_lines() {
   return ::isatty(STDERR_FILENO) && kind && std::string_view(kind) != "dumb";
 }
 
-/// A line that wraps cannot be overwritten.
+/// Longer lines would wrap and could not be overwritten.
 std::size_t terminal_width() {
   winsize size{};
   return ::ioctl(STDERR_FILENO, TIOCGWINSZ, &size) == 0 && size.ws_col > 1 ? size.ws_col - 1u : 79u;

@@ -12,8 +12,8 @@ namespace femsph {
 
 /// Version, git state, compiler, flags, libraries, machine: one "key = value" each.
 std::vector<std::pair<std::string, std::string>> provenance();
-/// Adds to what provenance() says; for parts that this room cannot see, such as the version of deal.II. A
-/// known key is overwritten.
+/// Adds a key to provenance(), or overwrites it; for libraries that this folder does not use, such as
+/// deal.II.
 void add_provenance(std::string key, std::string value);
 /// "femsph 0.1.0 (git 1a2b3c4, modified)"
 std::string version_line();
@@ -33,15 +33,15 @@ struct RunRecord {
 /// Throws std::runtime_error naming the file and the system's reason.
 void write_record(const RunRecord& record, const std::string& folder);
 
-/// A progress line (step, time, rate, time left) on a terminal; silent when stderr is none.
+/// A progress line (step, time, rate, time left) on stderr; nothing if stderr is no terminal.
 class Progress {
  public:
   explicit Progress(std::string what);
-  /// Wipes the line, so that what is printed next starts on a clean one.
+  /// Clears the line, so that other output starts on an empty one.
   ~Progress();
   Progress(const Progress&) = delete;
-  /// Cheap enough for every step: shows at most five times a second. `steps` is the most that the run may
-  /// take; 0: unknown.
+  /// Can be called in every step: it prints at most five times a second. `steps`: the largest number of
+  /// steps; 0: not known.
   void show(long step, long steps, double time);
 
  private:

@@ -17,7 +17,7 @@ StateAtPoint state_of(const MaterialState& state, std::size_t k) {
   return at;
 }
 
-/// The recoveries of bodies, made when first asked for, and gone once all weights are known.
+/// The recovery of each body, made when it is first needed.
 class Recoveries {
  public:
   explicit Recoveries(const March& march) : march_(march) {}
@@ -76,8 +76,8 @@ Recorder::Recorder(const March& march) {
   }
 }
 
-/// What the rule has read of stress and strain (recovery.hpp); all that is of the stress is of this one. As
-/// the discretization interpolates for itself, a scalar is interpolated from its values at the points.
+/// Recovered stress and strain (recovery.hpp); equivalent and principal stresses are those of the recovered
+/// stress. With the reading "raw", scalars are interpolated from their values at the material points.
 std::vector<double> Recorder::read_material(const March& march, const Reading& reading) const {
   const MovingBody& body = march.body(reading.body);
   std::vector<std::size_t> points;

@@ -1,5 +1,5 @@
 #pragma once
-// Reads the scene's probes and sections off a march: the same reading for both solvers.
+// Reads the probes and sections of a scene during a run, in the same way for both solvers.
 
 #include <map>
 #include <string>
@@ -12,17 +12,16 @@ namespace femsph {
 
 class Recorder {
  public:
-  /// Finds the weights of every probe and section point once.
+  /// Computes the weights of all points of probes and sections once.
   explicit Recorder(const March& march);
 
-  /// One row of the history: time, every probe's components (NAME_x, ..), energies in J, momenta, rigid
-  /// bodies, contacts, reactions.
+  /// Adds a row to the history (columns: history_columns.hpp).
   void sample(const March& march);
   const History& history() const { return history_; }
-  void state(Archive& archive);  ///< the rows so far
-  /// The worst of all samples so far.
+  void state(Archive& archive);  ///< saves or restores the rows so far
+  /// The largest imbalance of all samples so far.
   const Balance& balance() const { return balance_; }
-  /// Every section of the scene as it is now, by name.
+  /// All sections of the scene at the present time, by name.
   std::map<std::string, Profile> profiles(const March& march) const;
 
  private:
@@ -30,8 +29,8 @@ class Recorder {
     std::string name;
     std::size_t body;
     const Quantity* quantity;
-    std::vector<Weight> weights;  ///< of points, or of material points for stress and strain
-    bool raw = false;  ///< stress and strain as the discretization interpolates them, not by recovery.hpp
+    std::vector<Weight> weights;  ///< of points; of material points for stress and strain
+    bool raw = false;  ///< stress and strain by the method's own interpolation instead of recovery.hpp
   };
   std::vector<double> read(const March& march, const Reading& reading) const;
   std::vector<double> read_material(const March& march, const Reading& reading) const;
@@ -43,8 +42,8 @@ class Recorder {
     std::vector<Reading> points;
   };
   std::vector<Line> lines_;
-  std::vector<Reaction> reactions_;    ///< of all that hold
-  std::vector<std::size_t> reported_;  ///< which of them have a name
+  std::vector<Reaction> reactions_;    ///< of all supports
+  std::vector<std::size_t> reported_;  ///< indices of those with a name
   Balance balance_;
   History history_;
 };

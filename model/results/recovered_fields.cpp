@@ -76,7 +76,7 @@ void RecoveredFields::value(std::size_t i, const CellFields& cells) {
   if (!cells.plastic.empty()) values_.plastic[i] = kept_within(i, cells.plastic);
 }
 
-/// The weighted sum, kept within the range of the units used.
+/// The weighted sum, limited to the range of the units that are used.
 double RecoveredFields::kept_within(std::size_t i, const std::vector<double>& of_units) const {
   double sum = 0, low = of_units[near_[begin_[i]].unit], high = low;
   for (std::size_t n = begin_[i]; n < begin_[i + 1]; ++n) {

@@ -1,6 +1,6 @@
 #pragma once
-// Stress and strain at the points of a body (nodes, particles) by the rule of recovery.hpp, from the means of
-// the units around each: the weights are found once.
+// Recovered stress and strain at all points of a body (recovery.hpp), from the means of cells or particles
+// near each point. The weights are computed once.
 
 #include <cstdint>
 #include <vector>
@@ -12,7 +12,7 @@ namespace femsph {
 class RecoveredFields {
  public:
   RecoveredFields(const Discretization& d, Plane plane);
-  /// From the cells of one snapshot.
+  /// The values at the points, from the means of one snapshot.
   void fill(const CellFields& cells);
   const CellFields& values() const { return values_; }
 
@@ -25,7 +25,7 @@ class RecoveredFields {
     float weight;
   };
   Plane plane_;
-  std::vector<std::size_t> begin_;  ///< of each point, in near_
+  std::vector<std::size_t> begin_;  ///< where the units of each point begin in near_
   std::vector<Near> near_;
   CellFields values_;
 };

@@ -19,7 +19,7 @@ namespace {
 
 constexpr double first_radius = 2, radius_factor = 1.25;
 constexpr int most_enlargements = 40,
-              most_idle = 3;           ///< enlargements in all; in a row without a new direction
+              most_idle = 3;  ///< largest number of enlargements; of those in a row without a new direction
 constexpr double least_spread = 0.02;  ///< least eigenvalue of the covariance that counts as a direction
 constexpr std::size_t spare_units = 2;
 constexpr double deviation_weight = 1e-3, ridge = 1e-4;  ///< of step 4
@@ -38,8 +38,8 @@ std::array<double, 6> cholesky_factor(const std::array<double, 6>& s, int dim) {
   return {L(0, 0), L(1, 0), L(1, 1), L(2, 0), L(2, 1), L(2, 2)};
 }
 
-/// The sum is 1 but for round-off, which is a thousand times larger where surface particles hardly count.
-/// Scaled, so that constants come out to the last digits.
+/// Scales the weights to a sum of exactly 1, so that constants are reproduced to the last digits. Without it
+/// the round-off is large where surface particles have small weights.
 std::vector<Weight> scaled_to_sum_one(std::vector<Weight> weights) {
   double sum = 0;
   for (const Weight& w : weights) sum += w.weight;
@@ -49,7 +49,7 @@ std::vector<Weight> scaled_to_sum_one(std::vector<Weight> weights) {
 
 }  // namespace
 
-/// The units near a point, and what is fitted to them.
+/// The units near a point, and the fit to them.
 struct Recovery::Patch {
   const Factor* L = nullptr;
   Point reach{};  ///< half the box around the ellipsoid |z| < 1
@@ -94,7 +94,7 @@ Recovery::Basis Recovery::basis(const Point& z) const {
   return {1, z[0], z[1], z[2], z[0] * z[0], z[1] * z[1], z[2] * z[2], z[0] * z[1], z[1] * z[2], z[2] * z[0]};
 }
 
-/// By each unit's own measure |z|. A unit with |z| < reach lies in the box p +- reach extent_.
+/// The nearest unit, by its own measure |z|. A unit with |z| < reach lies in the box p +- reach extent_.
 std::size_t Recovery::nearest(const Point& p) const {
   for (double reach = 1;; reach *= 2) {
     std::size_t best = 0;
@@ -167,7 +167,8 @@ void Recovery::fill_matrix(Patch& patch, const Point& p, bool deviations) const 
     for (std::size_t j = 0; j < i; ++j) patch.matrix[i][j] = patch.matrix[j][i];
 }
 
-/// In how many directions the patch is spread: eigenvalues of the covariance of z/R above `least_spread`.
+/// The number of directions in which the units are spread: eigenvalues of the covariance of z/R above
+/// `least_spread`.
 int Recovery::spread_directions(const Patch& patch) const {
   const auto& A = patch.matrix;
   const auto covariance = [&](std::size_t i, std::size_t j) {
@@ -182,9 +183,9 @@ int Recovery::spread_directions(const Patch& patch) const {
   return count;
 }
 
-/// Step 2. A body that is one cell thick, or two, has no spread across at any R, and a larger one would only
-/// blur along it. So R also ends after `most_idle` enlargements without a new direction; how many units are
-/// enough goes by the directions found.
+/// Step 2. A body that is one or two cells thick has no spread in that direction at any R, and a larger R
+/// would only smooth along the body. So the enlargement also ends after `most_idle` enlargements without a
+/// new direction; the number of units needed depends on the directions found.
 Recovery::Patch Recovery::around(const Point& p, bool deviations) const {
   Patch patch = patch_of_nearest(p), best;
   int directions = 0, idle = 0;
@@ -204,12 +205,12 @@ Recovery::Patch Recovery::around(const Point& p, bool deviations) const {
   return directions > 0 ? best : patch;
 }
 
-/// Step 4: the value at p, where z = 0, is the constant of P, and b the first column of the inverse of the
-/// normal equations' matrix.
+/// Step 4: the value at p, where z = 0, is the constant term of P; b is the first column of the inverse of
+/// the matrix of the normal equations.
 Recovery::Patch Recovery::fit(const Point& p, bool deviations) const {
   Patch patch = around(p, deviations);
   const std::size_t n = coefficients_, dim = std::size_t(units_.dim);
-  // |second degree|^2 = sum_ab c_ab^2 of P = .. + z . c z: the same in any axes.
+  // |second degree|^2 = sum_ab c_ab^2 of P = .. + z . c z, which does not depend on the axes.
   for (std::size_t i = dim + 1; i < n; ++i) patch.matrix[i][i] += i <= 2 * dim ? ridge : 0.5 * ridge;
   std::array<double, most * most> matrix;
   for (std::size_t i = 0; i < n; ++i)

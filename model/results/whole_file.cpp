@@ -18,10 +18,10 @@ namespace {
   throw std::runtime_error(fmt::format("cannot write {}: {}", file, std::strerror(reason)));
 }
 
-/// A file under a temporary name that disappears unless it was renamed.
+/// A file with a temporary name, which is removed unless it has been renamed.
 class Temporary {
  public:
-  /// The process number keeps apart two runs that write to one folder.
+  /// The process number makes the name unique if two runs write to the same folder.
   explicit Temporary(const std::string& file)
       : file_(file), name_(fmt::format("{}.{}.part", file, ::getpid())) {
     descriptor_ = ::open(name_.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666);
@@ -42,7 +42,8 @@ class Temporary {
     }
   }
 
-  /// A full disk may show only in fsync or close (delayed allocation, network file systems): both count.
+  /// A full disk may be reported only by fsync or close (delayed allocation, network file systems), so both
+  /// are checked.
   void rename() {
     if (::fsync(descriptor_) != 0 && errno != EINVAL)
       fail(file_, errno);  // EINVAL: a file system that cannot sync
@@ -59,7 +60,7 @@ class Temporary {
   bool renamed_ = false;
 };
 
-/// Renaming over a link or a device would replace it: follow the one, refuse the other.
+/// Renaming would replace a link or a device: links are followed, devices refused.
 std::string target(const std::string& file) {
   namespace fs = std::filesystem;
   std::error_code none;

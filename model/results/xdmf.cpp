@@ -52,7 +52,7 @@ std::string attribute(const Field& field, const Body& body, const std::string& p
                      item("Float", nodes ? body.points : body.cells, field.components, path));
 }
 
-/// The time stands at every grid: readers differ in which level they take it from.
+/// The time is written at every grid, since readers take it from different levels.
 std::string grid(const Body& body, const Frame& frame, const std::string& geometry, const std::string& data) {
   std::string out = fmt::format(
       "        <Grid Name=\"{}\" GridType=\"Uniform\">\n          <Time Value=\"{}\"/>\n", escape(body.name),

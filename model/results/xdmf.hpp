@@ -13,11 +13,12 @@ struct Field {
   const char* name;
   const char* type;  ///< XDMF's AttributeType
   std::size_t components;
-  bool at_points;  ///< else at material points: cells, or the points of a body without cells
+  bool at_points;  ///< at nodes or particles; else one value for each cell, or particle of a body without
+                   ///< cells
 };
 
-/// Tensors have nine components although six would do: XDMF's Tensor6 (xx xy xz yy yz zz) is taken for VTK's
-/// order (xx yy zz xy yz xz) by one of ParaView's readers and expanded correctly by another.
+/// Tensors have nine components: of the six of XDMF's Tensor6 (xx xy xz yy yz zz), one of ParaView's readers
+/// assumes the order of VTK (xx yy zz xy yz xz), while another reads them correctly.
 inline constexpr std::array<Field, 6> fields{
     {{"displacement", "Vector", 3, true},
      {"velocity", "Vector", 3, true},
@@ -55,7 +56,8 @@ struct Frame {
   std::vector<std::size_t> bodies;
 };
 
-/// The group of a body in every HDF5 file: by number, because a name may hold what is special in paths.
+/// The group of a body in every HDF5 file, by number: a name may contain characters that are special in
+/// paths.
 std::string group(std::size_t body);
 
 /// The whole document; geometry_file holds the groups' "points" and "cells", a frame's file their fields.

@@ -55,6 +55,13 @@ int Bar::axis() const {
   return longest;
 }
 
+std::array<bool, 3> Scene::mirrored_axes(std::optional<std::size_t> body) const {
+  std::array<bool, 3> axes{};
+  for (const Symmetry& s : symmetries)
+    if (!body || s.place.body == *body) axes[s.axis()] = true;
+  return axes;
+}
+
 std::vector<Support> Scene::holds() const {
   std::vector<Support> all = supports;
   for (const Symmetry& s : symmetries) {
@@ -81,8 +88,7 @@ bool Scene::is_plastic() const {
          std::any_of(bars.begin(), bars.end(), [&](const Bar& bar) { return yields(bar.material); });
 }
 
-/// What the laws add to the list of effects; each once, whichever body asks for it. Of a bar's law the yield
-/// stress alone counts.
+/// Each name once. Of the law of a bar only the yield stress counts.
 std::vector<std::string> material_effects(const Scene& scene) {
   std::vector<std::string> on;
   const auto add = [&](const std::string& name) {

@@ -1,7 +1,7 @@
 #pragma once
-// The case, before any discretization: what a scene file says, validated, in SI units.
-// No solver word belongs here: element, formulation, kernel and spacing are chosen by a study or on the
-// command line.
+// A scene: what a scene file contains, validated, in SI units. It says nothing of a method: element,
+// formulation, kernel and spacing are chosen by a study or on the command line. "Points" are the nodes or
+// particles that a method makes.
 
 #include <array>
 #include <limits>
@@ -23,32 +23,32 @@ using Matrix = std::array<Point, 3>;  ///< rows
 struct Body {
   std::string name;
   std::shared_ptr<const Shape> shape;
-  double thickness = 1.0;  ///< m, out of plane; 1 in 3D
+  double thickness = 1.0;  ///< m, normal to the plane; 1 in 3D
   std::string material;    ///< a key of Scene::materials; empty for a rigid body
-  bool rigid = false;      ///< moves and turns as a whole
+  bool rigid = false;      ///< it does not deform
   double mass = 0;         ///< kg, of a rigid body
 };
 
-/// An axis-parallel region of the undeformed body.
+/// A box parallel to the axes, in the undeformed body.
 struct Region {
   Point lower{}, upper{};  ///< m
   bool contains(const Point& p, double tolerance) const;
 };
 
-/// Part of a body: the points of its boundary that lie on all of `sides` (one side: a face; two: an edge in
-/// 3D, a corner in 2D; three: a corner in 3D); or, with `point`, the discretization point nearest to it; or,
-/// with neither, the whole body.
+/// A set of points of a body, for supports, loads and symmetry planes: those that lie on all of `sides` (in
+/// 3D one side is a face, two are an edge, three a corner; in 2D two are a corner); or, with `point`, the one
+/// nearest to it; or, with neither, all points of the body.
 struct Place {
   std::size_t body = 0;  ///< index into Scene::bodies
   /// Names known to the body's shape: "x-", "x+", .. or a physical group of a mesh.
   std::vector<std::string> sides;
   std::optional<Point> point;  ///< m
   Source source;
-  std::optional<Region> within{};  ///< of these, only the points in here
+  std::optional<Region> within{};  ///< restricts it to the points in this box
 };
 
-/// How a load or a moved support grows in time: a piecewise linear factor, held constant beyond its ends. A
-/// step is one point (0, 1).
+/// A factor on a load or on a prescribed velocity over time: piecewise linear, constant before the first and
+/// after the last time. A step is the one point (0, 1).
 struct TimeHistory {
   std::vector<double> time{0.0};  ///< s, increasing
   std::vector<double> factor{1.0};
@@ -57,36 +57,37 @@ struct TimeHistory {
 
 struct Support {
   Place place;
-  std::array<bool, 3> fixed{};       ///< which displacement components are held where they start
-  std::array<bool, 3> fixed_turn{};  ///< of a rigid body: about which axes it cannot turn
-  bool mean = false;  ///< only the weighted mean over the place is held, so that the place may turn
-  Point velocity{};   ///< m/s: the held components move so, times `history`
+  std::array<bool, 3> fixed{};       ///< which displacement components are fixed, or prescribed by `velocity`
+  std::array<bool, 3> fixed_turn{};  ///< of a rigid body: about which axes it cannot rotate
+  bool mean = false;  ///< only the weighted mean over the place is fixed, so that the place can rotate
+  Point velocity{};   ///< m/s, of the fixed components, times `history`
   TimeHistory history{};
-  std::string name{};  ///< its reaction is in the history under this; empty: not asked for
+  std::string name{};  ///< of the columns of its reaction; empty: no columns
 };
 
-/// A plane side of a body beyond which the body goes on, mirrored; its normal displacement is zero.
+/// A plane side of a body that is a symmetry plane of the problem; the displacement along its normal is zero.
 struct Symmetry {
   Place place;  ///< one side of the bounding box
   int axis() const { return place.sides[0][0] - 'x'; }
   bool upper() const { return place.sides[0][1] == '+'; }
+  /// The coordinate of the plane along its axis, m; `shape` is that of its body.
+  double position(const Shape& shape) const { return (upper() ? shape.upper() : shape.lower())[axis()]; }
 };
 
-/// Reinforcement along one axis, perfectly bonded to its body. It adds its stiffness and its mass to the
-/// body, which keeps its own.
+/// A reinforcing bar parallel to an axis, perfectly bonded to its body. Its stiffness and mass are added to
+/// those of the body, from which nothing is subtracted.
 struct Bar {
   std::string name;
   std::size_t body = 0;
   Point from{}, to{};    ///< m, in the undeformed body
-  double area = 0;       ///< m^2, of all bars over the thickness of a plane body; of one in space
+  double area = 0;       ///< m^2; in a plane scene of all bars over the thickness
   std::string material;  ///< a key of Scene::materials
   Source source{};
   int axis() const;
 };
 
-/// A force on a place, given as its total; each discretization shares it out (consistently over a face's
-/// area). Or a pressure on one side, along the normal and over the area that the boundary has there at the
-/// start.
+/// A total force on a place, which each discretization distributes (on a face consistently over its area); or
+/// a pressure on one side, along the normal and over the area of the undeformed boundary.
 struct Load {
   Place place;
   Point force{};  ///< N
@@ -94,15 +95,15 @@ struct Load {
   double pressure = 0;  ///< Pa, inward; instead of the force
 };
 
-/// Motion of a body at the start, v(X) = s(X) (velocity + spin x (X - centre) + gradient (X - centre)).
-/// Several of one body add up.
+/// An initial velocity, v(X) = s(X) (velocity + spin x (X - centre) + gradient (X - centre)). Several of one
+/// body add up.
 struct InitialVelocity {
   std::size_t body = 0;
   Point velocity{};   ///< m/s
   Point spin{};       ///< rad/s; in a plane about z
   Matrix gradient{};  ///< dv_i/dX_j, 1/s
   Point centre{};     ///< m
-  /// s(X) = sin(2 pi (X_axis - origin) / wavelength); without one s = 1.
+  /// s(X) = sin(2 pi (X_axis - origin) / wavelength); s = 1 without it.
   struct Wave {
     int axis;
     double wavelength, origin;  ///< m
@@ -111,7 +112,7 @@ struct InitialVelocity {
   Point at(const Point& p) const;
 };
 
-/// Displacement at the start, u(X) = gradient (X - centre). Supports hold it.
+/// An initial displacement, u(X) = gradient (X - centre). Supports fix the displaced positions.
 struct InitialDisplacement {
   std::size_t body = 0;
   Matrix gradient{};  ///< du_i/dX_j
@@ -119,23 +120,23 @@ struct InitialDisplacement {
   Point at(const Point& p) const;
 };
 
-/// Two bodies, one of them deformable at least, that press on each other where they touch; or, tied, two that
-/// deform and are bonded where they touch at the start.
+/// Contact between two bodies, of which at least one is deformable; or, if tied, a bond between two
+/// deformable bodies where they touch at the start.
 struct Contact {
   std::string name;
   std::array<std::size_t, 2> between{};  ///< indices into Scene::bodies
-  double stiffness = 1;                  ///< factor on the default penalty
-  double friction = 0;                   ///< Coulomb's coefficient
+  double stiffness = 1;                  ///< factor on the default penalty stiffness
+  double friction = 0;                   ///< Coulomb's coefficient of friction
   Source source;
   bool tied = false;
 };
 
-/// How stress and strain are read at a point: by the one rule of model/results/recovery.hpp, or by the
-/// discretization's own interpolation of its material points, whose order at a surface is the method's own
-/// affair.
+/// How stress and strain are read at a point: "recovered" by the same rule for all methods
+/// (model/results/recovery.hpp), or "raw" by the interpolation of the method, whose accuracy differs between
+/// methods.
 enum class StressReading { recovered, raw };
 
-/// Something read at a point in every sample of a run.
+/// A quantity that is read at a point in every sample of a run.
 struct Probe {
   std::string name;
   std::size_t body = 0;
@@ -144,7 +145,8 @@ struct Probe {
   StressReading reading = StressReading::recovered;
 };
 
-/// The same along a straight line, at `count` equally spaced points from `from` to `to`.
+/// A quantity that is read at the end of a run along a line, at `count` equally spaced points from `from` to
+/// `to`.
 struct Section {
   std::string name;
   std::size_t body = 0;
@@ -156,18 +158,19 @@ struct Section {
 
 enum class SettlingMethod { damping, kinetic };
 
-/// Ask for the static state: march with damping until the motion has died out.
-///   damping: mass-proportional, c = 2 omega_1 unless `rate` says otherwise (omega_1 from the Rayleigh
-///   quotient of the motion itself); kinetic: no damping; velocities are set to zero at every peak of the
-///   kinetic energy.
+/// The run looks for the static state: it ends when the motion has been damped out.
+///   damping: mass-proportional damping with c = `rate`; without a rate c = 2 omega_1, with omega_1 estimated
+///   by the Rayleigh quotient of the displacement. kinetic: all velocities are set to zero whenever the
+///   kinetic energy has passed a peak.
 struct Settling {
   SettlingMethod method = SettlingMethod::damping;
-  /// Settled when the amplitude of what still moves is below this share of the displacement.
+  /// At rest: see Settled in model/motion/README.md, whose three ratios are then below this.
   double tolerance = 1e-4;
-  std::optional<double> rate;  ///< c, 1/s: damping force = c m v
+  std::optional<double> rate;  ///< c of the damping force -c m v, 1/s
 };
 
-/// What an effect reads from a table of its own, if the scene has no member for it (motion/effects).
+/// Base class of the input of an effect that has no member of its own in Scene
+/// (motion/effects/catalogue.hpp).
 struct EffectInput {
   virtual ~EffectInput() = default;
 };
@@ -175,9 +178,9 @@ struct EffectInput {
 struct Scene {
   std::string title;
   std::string file;  ///< as given by the user
-  std::string text;  ///< the file's content, for the run record
+  std::string text;  ///< the content of the file, for the run record
   Plane plane = Plane::stress;
-  bool large_motion = false;  ///< finite rotation of the axes of the material
+  bool large_motion = false;  ///< finite rotations and strains
   std::map<std::string, Material> materials;
   std::vector<Body> bodies;
   std::vector<Support> supports;
@@ -188,31 +191,34 @@ struct Scene {
   std::vector<InitialDisplacement> initial_displacements;
   std::vector<Contact> contacts;
   std::optional<Point> gravity;   ///< m/s^2
-  std::optional<double> damping;  ///< mass-proportional, c in 1/s
+  std::optional<double> damping;  ///< rate c of mass-proportional damping, 1/s
   std::vector<Probe> probes;
   std::vector<Section> sections;
-  double duration = 0;  ///< s; with settling: at most this long
+  double duration = 0;  ///< s; with settling the longest
   int samples = 400;    ///< rows of the histories over the duration
-  int snapshots = 20;   ///< fields written over the duration
-  /// Fields hold stress and strain by the one rule at nodes and particles too.
+  int snapshots = 20;   ///< how often fields are written over the duration
+  /// Whether fields also have recovered stress and strain, at nodes and particles.
   bool recovered_fields = false;
   std::optional<Settling> settling;
-  std::map<std::string, std::shared_ptr<const EffectInput>> effect_inputs;  ///< by the name of their table
-  /// What the reader wants said: each "file:line:column: text", or a sentence.
+  std::map<std::string, std::shared_ptr<const EffectInput>> effect_inputs;  ///< by the name of the table
+  /// Warnings of the reader: each "file:line:column: text", or a sentence.
   std::vector<std::string> warnings;
 
   int dim() const { return plane == Plane::none ? 3 : 2; }
   const Material& material_of(const Body& body) const { return materials.at(body.material); }
-  /// The supports, and the symmetry planes as what they hold: their normal component.
+  /// Axes normal to symmetry planes: of one body, or of any.
+  std::array<bool, 3> mirrored_axes(std::optional<std::size_t> body = {}) const;
+  /// The supports, and after them the symmetry planes as supports that hold the displacement along their
+  /// normal.
   std::vector<Support> holds() const;
-  bool is_plastic() const;  ///< some body's or bar's material is
+  bool is_plastic() const;  ///< whether the law of a body or bar can yield
 };
 
-/// What the materials of its bodies and bars ask for beyond linear elasticity, by name.
+/// Names of what the laws of bodies and bars contain besides linear elasticity, for the list of effects.
 std::vector<std::string> material_effects(const Scene& scene);
 
-/// The elastic law of a body, for a solver `what` that knows no other. Throws std::runtime_error when its
-/// material is plastic.
+/// The law of a body, for a solver `what` that can only use linear elasticity. Throws Refusal for any other
+/// law.
 LinearElastic elastic_of(const Scene& scene, std::size_t body, const std::string& what);
 
 }  // namespace femsph

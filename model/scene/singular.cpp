@@ -6,95 +6,14 @@
 #include <cmath>
 #include <numbers>
 
-#include "model/scene/shapes/structured.hpp"
+#include "model/scene/place_extent.hpp"
 
 namespace femsph {
 namespace {
 
-double tolerance_of(const Shape& shape) {
-  const Point a = shape.lower(), b = shape.upper();
-  return 1e-6 * std::hypot(b[0] - a[0], b[1] - a[1], b[2] - a[2]);
-}
-
-/// A box's place is a box: what is left of it on those sides and in that region.
-Region part_of(const Shape& box, const Place& place) {
-  Region part{box.lower(), box.upper()};
-  for (const std::string& side : place.sides) {
-    const int axis = side[0] - 'x';
-    (side[1] == '-' ? part.upper : part.lower)[axis] = (side[1] == '-' ? part.lower : part.upper)[axis];
-  }
-  if (place.within)
-    for (int c = 0; c < 3; ++c)
-      part.lower[c] = std::max(part.lower[c], place.within->lower[c]),
-      part.upper[c] = std::min(part.upper[c], place.within->upper[c]);
-  return part;
-}
-
-/// Some cell has `count` vertices on the place that make one of its facets (2 in a plane, 4 in space) or
-/// edges (2).
-bool some_facet_on(const Shape& shape, const CellMesh& mesh, const Place& place, int corners) {
-  const double tolerance = tolerance_of(shape);
-  std::vector<char> on(mesh.vertices.size());
-  for (std::size_t v = 0; v < on.size(); ++v)
-    on[v] = std::all_of(place.sides.begin(), place.sides.end(), [&](const std::string& side) {
-      return shape.on_side(side, mesh.vertices[v], tolerance);
-    });
-  const int per_cell = mesh.dim == 2 ? 4 : 8;
-  for (const auto& cell : mesh.cells)
-    for (int axis = 0; axis < mesh.dim; ++axis)
-      for (int end = 0; end < 2; ++end) {
-        int found = 0;  // on the cell's facet across that axis
-        for (int c = 0; c < per_cell; ++c) found += ((c >> axis) & 1) == end && on[cell[c]];
-        if (found >= corners) return true;
-      }
-  return false;
-}
-
-/// Dimensions that a place lacks: 0 a body, 1 a side, 2 an edge (in a plane a point), 3 a point in space.
-int codimension(const Scene& scene, const Place& place) {
-  const Shape& shape = *scene.bodies[place.body].shape;
-  const int dim = scene.dim();
-  if (place.point) return dim;
-  if (place.sides.empty()) return 0;
-  if (shape.is_box()) {
-    const Region part = part_of(shape, place);
-    int lacking = 0;
-    for (int c = 0; c < dim; ++c) lacking += part.upper[c] - part.lower[c] <= tolerance_of(shape);
-    return lacking;
-  }
-  if (shape.touches_sides_in_points()) return dim;
-  CellMesh cut;
-  const CellMesh* mesh = shape.cells();
-  if (const StructuredShape* own = shape.structured(); own && !mesh) mesh = &(cut = own->mesh({4, 4, 4}));
-  if (!mesh) return int(place.sides.size());
-  if (some_facet_on(shape, *mesh, place, dim == 2 ? 2 : 4)) return 1;
-  return dim == 3 && some_facet_on(shape, *mesh, place, 2) ? 2 : dim;
-}
-
-bool at_place(const Scene& scene, const Place& place, const Point& p, double reach) {
-  const Shape& shape = *scene.bodies[place.body].shape;
-  const double near = std::max(reach, tolerance_of(shape));
-  Region part;
-  if (place.point) {
-    part = {*place.point, *place.point};
-  } else if (shape.is_box()) {
-    part = part_of(shape, place);
-  } else {
-    return std::all_of(place.sides.begin(), place.sides.end(),
-                       [&](const std::string& side) { return shape.on_side(side, p, near); }) &&
-           (!place.within || place.within->contains(p, near));
-  }
-  double distance = 0;
-  for (int c = 0; c < scene.dim(); ++c) {
-    const double off = std::max({0.0, part.lower[c] - p[c], p[c] - part.upper[c]});
-    distance += off * off;
-  }
-  return std::sqrt(distance) <= near;
-}
-
 bool moves(const Quantity& quantity) { return !quantity.on_material; }
 
-/// Names of the probes and sections of a body that read a point which `reads(quantity, point)` says yes to.
+/// Names of the probes and sections of a body that have a point for which reads(quantity, point) is true.
 template <class Reads>
 std::vector<std::string> observers(const Scene& scene, std::size_t body, Reads reads) {
   std::vector<std::string> names;
@@ -131,7 +50,7 @@ double largest_factor(const TimeHistory& history) {
   return most;
 }
 
-/// Nothing acts on a body along an axis, so that the one support that holds it there bears nothing.
+/// Whether no force acts on a body along an axis, so that the only support along it has no reaction.
 bool free_of_force(const Scene& scene, std::size_t body, int axis) {
   double sum = 0, most = 0;
   for (const Load& load : scene.loads) {
@@ -210,7 +129,7 @@ void add_holds(const Scene& scene, double reach, std::vector<SingularPlace>& fou
   }
 }
 
-/// A side of a box that nothing holds along its normal.
+/// Whether no support fixes this side of a box along its normal.
 bool is_free(const Scene& scene, std::size_t body, int axis, bool upper) {
   const std::string side{"xyz"[axis], upper ? '+' : '-'};
   const auto holds = scene.holds();
@@ -220,7 +139,8 @@ bool is_free(const Scene& scene, std::size_t body, int axis, bool upper) {
   });
 }
 
-/// The ends of a box's held side: of a patch of it (any hold), and where a clamp meets a free side.
+/// The ends of a fixed side of a box: the ends of a patch that covers a part of it, and, with `clamps`, the
+/// corners where a clamped side meets a free one.
 std::vector<Region> ends_of(const Scene& scene, const Support& support, const Shape& box, bool clamps) {
   std::vector<Region> ends;
   const Region part = part_of(box, support.place);
@@ -230,7 +150,7 @@ std::vector<Region> ends_of(const Scene& scene, const Support& support, const Sh
     for (const bool upper : {false, true}) {
       const double at = (upper ? part.upper : part.lower)[axis],
                    border = (upper ? box.upper() : box.lower())[axis];
-      const bool inside = std::abs(at - border) > tolerance_of(box);
+      const bool inside = std::abs(at - border) > point_tolerance(box);
       if (!inside && !(clamps && support.fixed[normal] && support.fixed[axis] &&
                        is_free(scene, support.place.body, axis, upper)))
         continue;
@@ -250,7 +170,7 @@ void add_clamps(const Scene& scene, double reach, std::vector<SingularPlace>& fo
       continue;
     const Material& m = scene.material_of(scene.bodies[b]);
     const bool bounded = m.plasticity() && m.plasticity()->perfect();
-    const double near = std::max(reach, tolerance_of(box));
+    const double near = std::max(reach, point_tolerance(box));
     const auto ends = ends_of(scene, support, box, m.poisson > 0);
     const auto names = observers(scene, b, [&](const Quantity& quantity, const Point& p) {
       const bool limited = bounded && quantity.of_stress;
@@ -268,7 +188,8 @@ void add_clamps(const Scene& scene, double reach, std::vector<SingularPlace>& fo
   }
 }
 
-/// Vertices of plane cells round which the body takes more than 240 degrees and not all.
+/// Vertices of a plane mesh at which the body takes an angle of more than 240 degrees, and not the full
+/// circle.
 std::vector<Point> notches_of(const CellMesh& mesh) {
   constexpr int next[4] = {1, 3, 0, 2}, before[4] = {2, 0, 3, 1};
   std::vector<double> angle(mesh.vertices.size());
@@ -285,14 +206,14 @@ std::vector<Point> notches_of(const CellMesh& mesh) {
   return found;
 }
 
-/// In a plane, by the angles of the cells. A polygon of seven sides or more that stands for a round hole has
-/// less than 240 degrees.
+/// In plane meshes. A round hole that is approximated by a polygon of seven sides or more has angles of less
+/// than 240 degrees.
 void add_notches(const Scene& scene, double reach, std::vector<SingularPlace>& found) {
   if (scene.dim() != 2) return;
   for (std::size_t b = 0; b < scene.bodies.size(); ++b) {
     const CellMesh* mesh = scene.bodies[b].shape->cells();
     if (!mesh || scene.bodies[b].rigid) continue;
-    const double near = std::max(reach, tolerance_of(*scene.bodies[b].shape));
+    const double near = std::max(reach, point_tolerance(*scene.bodies[b].shape));
     const auto notches = notches_of(*mesh);
     const auto names = observers(scene, b, [&](const Quantity& quantity, const Point& p) {
       return !moves(quantity) && std::any_of(notches.begin(), notches.end(), [&](const Point& v) {
@@ -313,39 +234,6 @@ void add_notches(const Scene& scene, double reach, std::vector<SingularPlace>& f
 }
 
 }  // namespace
-
-double clamped_corner_exponent(double poisson, Plane plane) {
-  const double nu = plane == Plane::stress ? poisson / (1 + poisson) : poisson;
-  const auto left_over = [&](double l) {
-    return std::pow(std::sin(l * std::numbers::pi / 2), 2) - (4 * (1 - nu) * (1 - nu) - l * l) / (3 - 4 * nu);
-  };
-  double low = 0.3, high = 1;
-  if (left_over(high) <= 0 || left_over(low) >= 0) return 1;
-  for (int turn = 0; turn < 60; ++turn) {
-    const double middle = (low + high) / 2;
-    (left_over(middle) < 0 ? low : high) = middle;
-  }
-  return (low + high) / 2;
-}
-
-double sinks_per_halving(const Scene& scene, const Place& place) {
-  const Body& body = scene.bodies[place.body];
-  const Shape& box = *body.shape;
-  if (!box.is_box() || scene.dim() != 2 || body.rigid) return 0;
-  const Material& m = scene.material_of(body);
-  if (!m.is_linear_elastic()) return 0;
-  const double stiffness = (scene.plane == Plane::strain ? m.young / (1 - m.poisson * m.poisson) : m.young) *
-                           body.thickness;
-  const Region part = place.point ? Region{*place.point, *place.point} : part_of(box, place);
-  int borders = 0;
-  for (int c = 0; c < 2; ++c)
-    borders += part.upper[c] - box.lower()[c] <= tolerance_of(box) ||
-               box.upper()[c] - part.lower[c] <= tolerance_of(box);
-  constexpr double pi = std::numbers::pi;
-  return borders == 0
-             ? 0
-             : (borders == 1 ? 2 / pi : 1 / (pi / 2 + 1) + 1 / (pi / 2 - 1)) * std::numbers::ln2 / stiffness;
-}
 
 std::vector<SingularPlace> singular_places(const Scene& scene, double reach) {
   std::vector<SingularPlace> found;

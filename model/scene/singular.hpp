@@ -1,6 +1,6 @@
 #pragma once
-// Places where the exact solution of a scene has no finite value, and whatever reads there: no refinement
-// makes such a number settle.
+// Singular places: where the exact solution of a scene is infinite, so that a number that is read there does
+// not converge with refinement.
 
 #include <string>
 #include <vector>
@@ -9,44 +9,42 @@
 
 namespace femsph {
 
-/// One place and all that reads there.
+/// One such place, and the probes and sections that read there.
 struct SingularPlace {
   enum class Kind {
-    /// On a point, or on a line in space: what is read there diverges.
+    /// A force on a point, or on a line in space. All that is read there diverges.
     force,
-    /// A support on such a place that may bear a reaction: the body's displacements against it diverge, as
-    /// does
-    /// stress there.
+    /// A support on a point, or on a line in space, that can have a reaction. Displacements of the body
+    /// relative to it diverge, and so does stress there.
     hold,
-    /// Where a held side ends, or meets a free one: stress and strain diverge.
+    /// The end of a fixed side, or the corner where it meets a free one. Stress and strain diverge there.
     clamp,
-    /// A re-entrant corner: the same.
+    /// A re-entrant corner. Stress and strain diverge there.
     notch,
   } kind;
   std::size_t body;
-  Source source;                       ///< of the load or support; line 0: none
-  std::vector<std::string> observers;  ///< names of probes and sections that read what diverges
-  std::string text;                    ///< one sentence
-  /// It is sure to diverge; otherwise (a hold) only if the support bears a reaction, which a scene alone does
-  /// not tell.
+  Source source;                       ///< of the load or support in the file; line 0: none
+  std::vector<std::string> observers;  ///< names of the probes and sections that diverge
+  std::string text;                    ///< one sentence for the user
+  /// False for a hold: it diverges only if the support has a reaction, which is not known before the run.
   bool certain() const { return kind != Kind::hold; }
 };
 
-/// Those places at which, or within `reach` (m) of which, a probe or section reads what diverges.
+/// The singular places at which, or within `reach` (m) of which, a probe or section reads a diverging number.
 std::vector<SingularPlace> singular_places(const Scene& scene, double reach = 0);
 
-/// The same for the user: "file:line:column: text", or the text alone.
+/// The same as warnings: "file:line:column: text", or the text alone.
 std::vector<std::string> singular_warnings(const Scene& scene);
 
-/// The exponent of the stress, r^(lambda - 1), where a clamped side meets a free one at a right angle: the
-/// least root of sin^2(lambda pi/2) = (4 (1 - nu)^2 - lambda^2)/(3 - 4 nu) (Williams 1952); plane stress
-/// takes nu/(1 + nu). 1 for nu = 0: no singularity.
+/// lambda of the stress r^(lambda - 1) at the corner where a clamped side meets a free one at a right angle:
+/// the least root of sin^2(lambda pi/2) = (4 (1 - nu)^2 - lambda^2)/(3 - 4 nu) (Williams 1952), with nu/(1 +
+/// nu) for nu in plane stress. It is 1, no singularity, for nu = 0.
 double clamped_corner_exponent(double poisson, Plane plane);
 
-/// In a plane: what the displacement under a force of 1 N, along the force, gains with every halving of the
-/// spacing, m. On a side it is 2 ln 2/(pi E t) (Flamant); at a right-angled corner, along one of its sides,
-/// (1/(pi/2 + 1) + 1/(pi/2 - 1)) ln 2/(E t) (Michell's wedge loaded along and across its axis); E/(1 - nu^2)
-/// for E in plane strain. 0 elsewhere: not known.
+/// By how much (m) the displacement under a force of 1 N, in its direction, grows with every halving of the
+/// spacing in a plane. On a side 2 ln 2/(pi E t) (Flamant); at a right-angled corner, for a force along one
+/// of its sides, (1/(pi/2 + 1) + 1/(pi/2 - 1)) ln 2/(E t) (Michell's wedge with a load along and across its
+/// axis); with E/(1 - nu^2) for E in plane strain. 0 where it is not known.
 double sinks_per_halving(const Scene& scene, const Place& place);
 
 }  // namespace femsph

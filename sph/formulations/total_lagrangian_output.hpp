@@ -114,7 +114,7 @@ void TotalLagrangian<dim, Stencils, Kinematics, LawType, correction>::material_s
       }
       if constexpr (mean) {  // over J, as a Cauchy stress; the law's volume, as the law's stress
         double volume = 1;
-        if constexpr (!std::is_same_v<Kinematics, SmallStrain>) volume += growth(e);
+        if constexpr (!std::is_same_v<Kinematics, SmallStrain>) volume += volume_change(e);
         for (int c = 0; c < 3; ++c) out.stress[k][c] += excess[lane] / volume;
       }
     }

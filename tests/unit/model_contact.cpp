@@ -94,11 +94,11 @@ TEST(Boundary, IsClosedAndFacesOutward) {
 }
 
 // On a warped patch p - foot is along the normal there; shape functions give the foot.
-TEST(Stand, FindsTheNearestPointOfAWarpedPatch) {
+TEST(Projection, FindsTheNearestPointOfAWarpedPatch) {
   const std::array<Point, 4> patch{
       Point{0, 0, 0}, Point{1, 0, 0.1}, Point{1.1, 1, -0.1}, Point{0, 0.9, 0.15}};
   const Point p{0.4, 0.6, -0.05};
-  const Stand s = stand_over(3, patch, p);
+  const Projection s = project_onto_facet(3, patch, p);
   const Point off = p - s.foot;
   EXPECT_LT(s.gap, 0);
   EXPECT_NEAR(std::abs(s.gap), norm(off), 1e-12);
@@ -107,8 +107,8 @@ TEST(Stand, FindsTheNearestPointOfAWarpedPatch) {
   EXPECT_EQ(s.beyond, 0);
 }
 
-TEST(Stand, SaysHowFarBeyondASegmentThePointLies) {
-  const Stand s = stand_over(2, {Point{2, 0, 0}, Point{0, 0, 0}}, Point{-0.5, -0.25, 0});
+TEST(Projection, SaysHowFarBeyondASegmentThePointLies) {
+  const Projection s = project_onto_facet(2, {Point{2, 0, 0}, Point{0, 0, 0}}, Point{-0.5, -0.25, 0});
   EXPECT_DOUBLE_EQ(s.gap, -0.25);  // the body lies to the left of 2 -> 0: below
   EXPECT_DOUBLE_EQ(s.beyond, 0.5);
 }
@@ -232,7 +232,7 @@ TEST(RigidBody, FallsAndFliesExactly) {
   }
   EXPECT_NEAR(disc.centre()[0], 3, 1e-12);
   EXPECT_NEAR(disc.centre()[1], 2 - 5, 1e-12);  // 10 t^2 / 2 at t = 1 s: the leap-frog is exact for it
-  const Stand s = disc.stand(0, disc.centre() + Point{0.3, 0.4 - 0.1, 0});
+  const Projection s = disc.project(0, disc.centre() + Point{0.3, 0.4 - 0.1, 0});
   EXPECT_NEAR(s.gap, std::hypot(0.3, 0.3) - 0.5, 1e-12);
 }
 

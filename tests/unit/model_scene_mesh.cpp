@@ -38,16 +38,17 @@ struct Text {
   }
 };
 
-CellMesh read(const Text& text, int dim = 2, const MeshWish& wish = {}) {
+CellMesh read(const Text& text, int dim = 2, const MeshOptions& options = {}) {
   text.write();
-  return read_gmsh(file, dim, 1.0, wish);
+  return read_gmsh(file, dim, 1.0, options);
 }
 
 /// The message without the quoted file, which FILE stands for.
-std::string complaint(const Text& text, int dim = 2, const MeshWish& wish = {}, std::size_t announced = 0) {
+std::string complaint(const Text& text, int dim = 2, const MeshOptions& options = {},
+                      std::size_t announced = 0) {
   try {
     text.write(announced);
-    read_gmsh(file, dim, 1.0, wish);
+    read_gmsh(file, dim, 1.0, options);
   } catch (const std::runtime_error& e) {
     std::string what = e.what();
     for (std::size_t at; (at = what.find('"' + file + '"')) != std::string::npos;)

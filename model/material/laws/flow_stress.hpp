@@ -1,23 +1,23 @@
 #pragma once
-// How much stress a point can bear now: what a reading between points must not exceed.
+// The present limit of stress at a material point, for reading stress between material points.
 
 #include <array>
 #include <limits>
 
 namespace femsph {
 
-/// Pa, of the Cauchy stress.
+/// Limits of the Cauchy stress, Pa.
 struct FlowStress {
-  /// Bound of von Mises' stress.
+  /// Limit of the von Mises stress.
   double yield = std::numeric_limits<double>::infinity();
-  /// The same where the mean stress is tension; other than `yield` by the sign rule only.
+  /// The same for tensile mean stress; it differs from `yield` only with tension = "sign".
   double tensile = std::numeric_limits<double>::infinity();
-  /// Bound of the principal stresses.
+  /// Limit of the principal stresses.
   double strength = std::numeric_limits<double>::infinity();
 };
 
-/// Of a law that states none. `history` is the point's; `cauchy` its own stress, and `share` that over the
-/// law's stress.
+/// The limits of a law that has none; laws with limits overload this. `history` and `cauchy` (Pa) are those
+/// of the point, `share` is the ratio of Cauchy stress to the law's stress.
 template <class LawType>
 FlowStress flow_stress(const LawType&, const double*, double, const std::array<double, 6>&) {
   return {};

@@ -1,15 +1,16 @@
 #pragma once
-// The yield stress of Johnson & Cook (7th Int. Symp. Ballistics, 1983), for metals hit hard:
+// The yield stress of Johnson & Cook (7th Int. Symp. Ballistics, 1983), for metals at high strain rates:
 //   Y = (A + B p^n) (1 + C ln max(pdot / pdot_0, 1)) (1 - T*^m),   T* = (T - T_room) / (T_melt - T_room),
 //   held between 0 and 1,
-// with A the law's `yield`. The heat of plastic work stays where it arises: T = T_0 + chi w / (rho c), w the
-// plastic work per volume.
+// with A the `yield` of the law. There is no heat conduction: T = T_0 + chi w / (rho c), w the plastic work
+// per volume.
 //
-// One step brings the trial stress back to the surface of its own end (backward Euler, radial return): x = dp
-// solves
+// A step returns the trial stress radially to the yield surface at the end of the step (backward Euler): x =
+// dp solves
 //   f(x) = 3G x + Y(p + x, x / dt, T(w + q x)) - q_trial = 0,   q = q_trial - 3G x.
-// f rises from below zero at 0 to above at q_trial / 3G: Newton's steps inside a bracket that shrinks, halved
-// when they leave it, started from the flow of the step before.
+// f increases from a negative value at x = 0 to a positive one at q_trial / 3G. It is solved by Newton's
+// method with a bracket, by bisection where a Newton step leaves the bracket; the first guess is dp of the
+// step before.
 
 #include "model/material/laws/linear_elastic.hpp"
 #include "model/material/laws/plastic.hpp"
@@ -18,14 +19,14 @@
 
 namespace femsph::plastic {
 
-/// Y of x = dp, and its derivative.
+/// Y at x = dp, and dY/dx.
 template <class T>
 struct YieldStress {
   T value, slope;
 };
 
-/// `dt` 0: no rate is known, and that factor is 1. `p`, `work`: at the step's start; the step's own work is q
-/// x, `q_slope` = dq/dx.
+/// `p` and `work` are those at the start of the step; its own plastic work is q x. `q_slope` = dq/dx. `dt` =
+/// 0: the rate is not known, and its factor is 1.
 template <class T>
 FEMSPH_INLINE YieldStress<T> johnson_cook(const Plasticity& law, double dt, const T& p, const T& x,
                                           const T& work, const T& q, const T& q_slope) {
@@ -57,9 +58,9 @@ FEMSPH_INLINE YieldStress<T> johnson_cook(const Plasticity& law, double dt, cons
   return {value, slope};
 }
 
-/// `guess` is the flow of the step before and takes that of this one. Where the strain stands still
-/// (|increment| < 1e-12) nothing flows: the stress that the rate holds up does not fall by being looked at
-/// once more.
+/// `guess`: dp of the step before, replaced by that of this step. Without a strain increment (|increment| <
+/// 1e-12) there is no plastic flow, so that a repeated evaluation does not relax a stress that the strain
+/// rate has raised.
 template <class T, int dim>
 FEMSPH_INLINE Flow<T> johnson_cook_return(const LinearElastic& elastic, const Plasticity& law, double dt,
                                           const Symmetric<T, dim>& increment, const T& p, const T& work,
@@ -85,7 +86,8 @@ FEMSPH_INLINE Flow<T> johnson_cook_return(const LinearElastic& elastic, const Pl
     const T next = x - step, off = select(over, f, -f);
     const auto inside = (next >= low) & (next <= high);
     if (!any(yielding & (off > 1e-13 * q)))
-      break;  // by stress: the rate makes the slope so steep near x = 0 that small steps prove nothing
+      break;  // a test of stress: near x = 0 the rate makes the slope so steep that a small step does not
+              // show convergence
     x = select(inside, next, 0.5 * (low + high));
   }
   const T dp = select(yielding, x, T{}), take = select(yielding, stiffness * dp / q, T{});

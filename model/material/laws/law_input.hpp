@@ -1,6 +1,5 @@
 #pragma once
-// What every law shares: the elastic constants of a material, the plane in which it is used, and what the law
-// is told when it reads its keys.
+// Input of all laws: the elastic constants, the plane, and what a law may need to read its keys.
 
 #include <limits>
 #include <optional>
@@ -12,25 +11,26 @@
 
 namespace femsph {
 
-/// How a two-dimensional scene stands for a body in space; `none` is three-dimensional.
+/// Plane stress, plane strain, or three-dimensional (`none`).
 enum class Plane { stress, strain, none };
 
-/// Keys that every material has.
+/// The keys of every material.
 struct ElasticConstants {
   double young, poisson, density;  ///< Pa, 1, kg/m^3
 };
 
-/// What a law may need to know while it reads its keys.
+/// What a law may need to read its keys.
 struct LawInput {
   ElasticConstants constants;
-  std::optional<Plane> plane;  ///< empty where the scene's plane is itself at fault
+  std::optional<Plane> plane;  ///< empty where the key "plane" of the scene is faulty
 };
 
-/// What a reinforcing bar takes of its material's law.
+/// The uniaxial yield stress of a law, for reinforcing bars.
 struct BarYield {
   double yield = std::numeric_limits<double>::infinity();  ///< Pa
   double hardening = 0;                                    ///< H, Pa
-  /// Why bars cannot have this law and what was expected, after "material "m" "; empty if they can.
+  /// Why bars cannot have this law and what is expected, to follow the words: material "m". Empty if they
+  /// can.
   std::string refusal = "";
 };
 

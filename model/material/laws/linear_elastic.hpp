@@ -7,9 +7,8 @@
 
 namespace femsph {
 
-/// Isotropic linear elasticity, sigma = lambda tr(eps) I + 2 mu eps.
-/// In plane stress lambda is the effective 2 lambda mu / (lambda + 2 mu) = E nu / (1 - nu^2), so one formula
-/// serves all three cases.
+/// Isotropic linear elasticity, sigma = lambda tr(eps) I + 2 mu eps. In plane stress lambda is replaced by 2
+/// lambda mu / (lambda + 2 mu) = E nu / (1 - nu^2), so that the formula holds in all three cases.
 struct LinearElastic {
   struct Parameters {};
   static constexpr const char* name = "elastic";
@@ -21,13 +20,13 @@ struct LinearElastic {
   static BarYield bar(const Parameters&) { return {}; }
   static std::vector<std::string> effects(const Parameters&) { return {}; }
 
-  double lambda;   ///< effective first Lame parameter, Pa
+  double lambda;   ///< first Lame parameter, in plane stress the effective one, Pa
   double mu;       ///< shear modulus, Pa
   double density;  ///< kg/m^3
-  double poisson;  ///< of the material (not of the plane)
+  double poisson;  ///< Poisson's ratio of the material
   Plane plane;
 
-  /// young > 0 (Pa), -1 < poisson < 0.5, density > 0; the reader of scenes checks them.
+  /// young > 0 (Pa), -1 < poisson < 0.5, density > 0 (kg/m^3); not checked here.
   static LinearElastic make(double young, double poisson, double density, Plane plane) {
     const double mu = young / (2 * (1 + poisson));
     const double lambda = young * poisson / ((1 + poisson) * (1 - 2 * poisson));
@@ -54,19 +53,18 @@ struct LinearElastic {
     for (int k = 0; k < symmetric_size<dim>; ++k) stress_now[k] += d[k];
   }
 
-  /// Energy stored per volume, J/m^3: 1/2 sigma : eps. (Across the plane either the stress or the strain is
-  /// 0.)
+  /// Stored energy per volume, J/m^3: 1/2 sigma : eps. (Normal to the plane either stress or strain is 0.)
   template <class T, int dim>
   FEMSPH_INLINE T stored_energy(const Symmetric<T, dim>& strain, const Symmetric<T, dim>& stress_now,
                                 const T*) const {
     return 0.5 * contract(stress_now, strain);
   }
 
-  /// The law's elastic part: what the critical step and the hourglass stiffness are made from.
+  /// The elastic part of the law, for the critical step and the hourglass stiffness.
   const LinearElastic& elastic() const { return *this; }
 
-  /// Speed of the fastest plane wave of the case, sqrt((lambda + 2 mu)/rho): in plane stress sqrt(E / (rho (1
-  /// - nu^2))).
+  /// Speed of the fastest plane wave, m/s: sqrt((lambda + 2 mu)/rho); in plane stress this is sqrt(E / (rho
+  /// (1 - nu^2))).
   double wave_speed() const { return std::sqrt((lambda + 2 * mu) / density); }
 
   /// Stress normal to the plane: 0 in plane stress, nu (sxx + syy) in plane strain.
@@ -79,9 +77,9 @@ struct LinearElastic {
   }
 };
 
-/// What hourglass control takes for the body's stiffness, Pa: lambda + 2 mu, but no more than its value for
-/// nu = 0.3, 3.5 mu. Hourglass modes shear and bend; in proportion to lambda, which grows without bound as nu
-/// -> 0.5, their control would lock a nearly incompressible body.
+/// The modulus for hourglass control, Pa: lambda + 2 mu, but at most its value for nu = 0.3, 3.5 mu.
+/// Hourglass modes are modes of shear and bending: a control in proportion to lambda, which is unbounded as
+/// nu -> 0.5, would lock a nearly incompressible body.
 inline double hourglass_modulus(const LinearElastic& elastic) {
   return std::min(elastic.lambda + 2 * elastic.mu, 3.5 * elastic.mu);
 }

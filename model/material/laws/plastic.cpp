@@ -13,7 +13,7 @@ using namespace plastic;
 
 namespace {
 
-/// Yield stress at p = 0: by the sign rule, where the mean stress is tension, the tensile strength.
+/// The yield stress at p = 0: the tensile strength where the mean stress is tensile and tension = "sign".
 template <class T, int dim>
 FEMSPH_INLINE T initial_yield(const Plasticity& p, const PointStress<T, dim>& trial) {
   const T compressive = broadcast<T>(p.yield);
@@ -21,9 +21,10 @@ FEMSPH_INLINE T initial_yield(const Plasticity& p, const PointStress<T, dim>& tr
   return select(trial.mean() > 0.0, broadcast<T>(p.tensile_strength), compressive);
 }
 
-/// How much the yield stress has grown: H p, E p by hypothesis 8, the largest excess so far by hypothesis 3.
+/// The increase of the yield stress over its initial value: H p; E p in hypothesis 8; the largest excess so
+/// far in hypothesis 3.
 template <class T>
-FEMSPH_INLINE T growth(const LinearElastic& base, const Plasticity& p, const T* history) {
+FEMSPH_INLINE T yield_increase(const LinearElastic& base, const Plasticity& p, const T* history) {
   switch (p.integration) {
     case Integration::largest_stress:
       return history[Plastic::excess];
@@ -42,7 +43,7 @@ void Plastic::flow(const Symmetric<T, dim>& increment, Symmetric<T, dim>& stress
   const PointStress<T, dim> before{stress, stress_across<T, dim>(history)},
       trial = elastic_step(increment, stress, history);
   PointStress<T, dim> now = trial;
-  const T initial = initial_yield(p, trial), yield = initial + growth(base, p, history);
+  const T initial = initial_yield(p, trial), yield = initial + yield_increase(base, p, history);
   const Flow<T> step = p.johnson_cook
                            ? johnson_cook_return(base, p, this->step, increment, history[equivalent_strain],
                                                  history[work], history[excess], now)

@@ -1,14 +1,14 @@
 #pragma once
-// Metal-like plasticity, and what the paper makes of it for concrete.
+// Von Mises plasticity, for metals and, with a tension rule, for concrete as in the paper.
 //
 //   yield      f = q - Y,  q = sqrt(3/2 s:s) (von Mises),  Y = yield + hardening p
 //              (linear isotropic hardening; eq. 8 of the paper)
 //   flow       d eps^p = dp 3 s / (2 q),  p the equivalent plastic strain
 //
-// A tension rule and the way the stress is integrated are parameters of the one law, so that it is compiled
-// once for all of them. The elastic step, the question whether any of eight points yields, and the return
-// mapping stand in the kernels; everything else is one call, flow(), which asks for the rule once. The
-// pieces: return_mapping.hpp, no_return.hpp, tension.hpp.
+// The tension rule and the integration of the stress are parameters of one law, so that kernels are compiled
+// once for all of them. The elastic step, the yield test of eight points and the return mapping are inlined
+// in the kernels; all other rules are one function call, flow(). Parts: return_mapping.hpp, no_return.hpp,
+// tension.hpp, johnson_cook.hpp.
 
 #include <optional>
 #include <utility>
@@ -22,25 +22,24 @@ namespace femsph {
 enum class TensionRule {
   /// The same yield stress in tension and compression.
   none,
-  /// The yield stress is `tensile_strength` where the trial mean stress is tension (the paper's concrete: 30
-  /// and
-  /// 3 MPa).
+  /// The yield stress is `tensile_strength` where the trial mean stress is tensile (the concrete of the
+  /// paper: 30 MPa and 3 MPa).
   sign,
-  /// No principal stress above `tensile_strength` (Rankine): a spectral cut-off after the von Mises step.
+  /// No principal stress exceeds `tensile_strength` (Rankine): principal stresses are cut off after the von
+  /// Mises step.
   principal,
 };
 
 /// How stress follows strain beyond yield. The paper shows results "without return mapping" and does not say
-/// how these were computed: all but return_mapping are hypotheses about that, kept because their results
-/// differ.
+/// how they were computed: all but return_mapping are hypotheses about that.
 enum class Integration {
   return_mapping,  ///< backward Euler, radial (projected in plane stress)
   tangent,  ///< hypothesis 1: tangent D^ep (eq. 8) when f >= 0 and loading; Y follows the plastic strain
   largest_stress,    ///< hypothesis 3: the same, but Y is the largest equivalent stress so far
-  modulus_mistaken,  ///< hypothesis 8: as 1, but Y grows by E dp where H belongs (a slip in eq. 10)
+  modulus_mistaken,  ///< hypothesis 8: as 1, but Y increases by E dp instead of H dp (an error in eq. 10)
 };
 
-/// What johnson_cook.hpp says; C = 0 for no effect of the rate, melting = 0 for none of the heat.
+/// The parameters of johnson_cook.hpp. C = 0: no effect of the strain rate; melting = 0: none of temperature.
 struct JohnsonCook {
   double B = 0, n = 1;                             ///< Pa, 1
   double C = 0, rate = 1;                          ///< 1, pdot_0 in 1/s
@@ -48,17 +47,17 @@ struct JohnsonCook {
   double heating = 0;                              ///< chi / (rho c), K m^3/J
 };
 
-/// What a material says about its plasticity.
+/// The parameters of a plastic material.
 struct Plasticity {
   double yield = 0;      ///< Pa
   double hardening = 0;  ///< H = dY/dp, Pa
   TensionRule tension = TensionRule::none;
   double tensile_strength = 0;  ///< Pa; sign and principal only
   Integration integration = Integration::return_mapping;
-  /// In place of `hardening`; with return mapping and without a tension rule only.
+  /// Replaces `hardening`; only with return mapping and without a tension rule.
   std::optional<JohnsonCook> johnson_cook = {};
 
-  /// The yield stress stays what it is.
+  /// Whether the yield stress is constant (perfect plasticity).
   bool perfect() const { return hardening == 0 && !johnson_cook; }
 };
 
@@ -68,7 +67,7 @@ const std::vector<std::pair<std::string, Integration>>& integrations();
 struct Plastic {
   using Parameters = Plasticity;
   static constexpr const char* name = "plastic";
-  // What the law says of itself, and the reading of its keys: plastic_keys.cpp.
+  // Description and reading of the keys: plastic_keys.cpp.
   static Entry entry();
   static std::vector<KeyTable> tables();
   static Parameters read(Fields& fields, const LawInput& in);
@@ -81,20 +80,21 @@ struct Plastic {
 
   LinearElastic base;
   Plasticity parameters;
-  double step = 0;  ///< s, that the next increments take; 0: unknown
+  double step = 0;  ///< the time (s) of the next strain increments; 0: not known
   void set_step(double dt) { step = dt; }
 
-  /// History of a point. `excess` is how far the largest equivalent stress so far passed the initial yield
-  /// stress (hypothesis 3), or the flow of the last step (Johnson-Cook); `across` is the stress normal to the
-  /// plane in plane strain, the plastic strain normal to the plane in plane stress.
+  /// The history of a point: equivalent plastic strain; plastic work, J/m^3; `excess`, by how much the
+  /// largest equivalent stress so far exceeds the initial yield stress (hypothesis 3, Pa), or the plastic
+  /// strain increment of the last step (Johnson-Cook); `across`, the stress normal to the plane (plane
+  /// strain, Pa) or the plastic strain normal to the plane (plane stress).
   enum Slot { equivalent_strain, work, excess, across };
-  static constexpr int seldom = excess;  ///< the slot that few steps read
+  static constexpr int seldom = excess;  ///< the entry that few steps read
   template <int dim>
   static constexpr int history_size = dim == 2 ? 4 : 3;
   static constexpr bool path_independent = false;
 
-  /// Advances a point by a strain increment. Where no lane yields, of the history only p is read, and nothing
-  /// of it written in plane stress and space: most of a body's points cost little more than elastic ones.
+  /// Advances stress and history by a strain increment. If no lane yields, only p is read of the history, and
+  /// nothing is written in plane stress and in space, so that most points cost little more than elastic ones.
   template <class T, int dim>
   FEMSPH_INLINE void update(const Symmetric<T, dim>& increment, Symmetric<T, dim>& stress, T* history) const {
     if (parameters.integration == Integration::return_mapping && parameters.tension == TensionRule::none &&
@@ -123,13 +123,13 @@ struct Plastic {
     stress = to;
   }
 
-  /// update() by any rule, whether points yield or not; in plastic.cpp, for T = double and Pack, dim = 2
-  /// and 3.
+  /// update() for all rules, whether points yield or not. In plastic.cpp for T = double and Pack, dim = 2 and
+  /// 3.
   template <class T, int dim>
   void flow(const Symmetric<T, dim>& increment, Symmetric<T, dim>& stress, T* history) const;
 
-  /// Ends a step that led from `stress` to `now` by way of `trial`: stress and history. What a radial return
-  /// takes has no trace.
+  /// Sets stress and history at the end of a step from `stress` to `now` with the trial stress `trial`.
+  /// `traceless`: now - trial is deviatoric, as after a radial return.
   template <bool traceless, class T, int dim>
   FEMSPH_INLINE void note(const plastic::PointStress<T, dim>& trial, const plastic::PointStress<T, dim>& now,
                           const plastic::Flow<T>& step, Symmetric<T, dim>& stress, T* history) const {
@@ -153,7 +153,7 @@ struct Plastic {
     stress = now.in;
   }
 
-  /// The stress as if the step were elastic.
+  /// The trial stress: that of an elastic step.
   template <class T, int dim>
   FEMSPH_INLINE plastic::PointStress<T, dim> elastic_step(
       const Symmetric<T, dim>& increment, const Symmetric<T, dim>& stress, const T* history) const {
@@ -163,8 +163,8 @@ struct Plastic {
     return trial;
   }
 
-  /// a : C^-1 : b of three-dimensional stresses, the components across the plane given apart in 2D:
-  /// (a:b - nu/(1 + nu) tr a tr b) / 2G.
+  /// a : C^-1 : b of three-dimensional stresses, (a:b - nu/(1 + nu) tr a tr b) / 2G. In 2D the components
+  /// normal to the plane are passed separately.
   template <class T, int dim>
   FEMSPH_INLINE T compliance(const Symmetric<T, dim>& a, const T& a_across, const Symmetric<T, dim>& b,
                              const T& b_across) const {
@@ -182,7 +182,7 @@ struct Plastic {
     return broadcast<T>(0.0);
   }
 
-  /// 1/2 sigma : C^-1 : sigma, with the stress across the plane. Stress and history decide alone.
+  /// 1/2 sigma : C^-1 : sigma (J/m^3), with the stress normal to the plane.
   template <class T, int dim>
   FEMSPH_INLINE T stored_energy(const Symmetric<T, dim>&, const Symmetric<T, dim>& stress,
                                 const T* history) const {
@@ -190,9 +190,9 @@ struct Plastic {
     return 0.5 * compliance<T, dim>(stress, normal, stress, normal);
   }
 
-  /// In large motion the moduli are those of the Kirchhoff stress tau by the logarithmic strain, whatever the
-  /// stretch; along the shortest principal stretch d P / d F = g (lambda + 2 mu - tau), with the mean stress
-  /// K ln J for tau (what yields adds little to that).
+  /// In large motion the moduli relate the Kirchhoff stress tau to the logarithmic strain at any stretch.
+  /// Along the smallest principal stretch dP/dF = g (lambda + 2 mu - tau); tau is approximated by the mean
+  /// stress K ln J, since yielding limits its deviator.
   template <class T>
   FEMSPH_INLINE T stiffening(const T& g, const T& J) const {
     const double bulk = base.lambda + 2.0 / 3 * base.mu;
@@ -214,18 +214,18 @@ struct Plastic {
   FEMSPH_INLINE T plastic_strain(const T* history) const {
     return history[equivalent_strain];
   }
-  /// Work that the stress has done and the law does not store, J/m^3: sum of mean stress of the step : (d eps
-  /// - C^-1 d sigma). With this sum the leap-frog's ledger closes to round-off; a law that creates energy
-  /// shows as a negative value.
+  /// Work of the stress that is not stored, J/m^3: the sum over the steps of the mean stress of the step : (d
+  /// eps - C^-1 d sigma). With this sum the energy balance of the leap-frog closes to round-off. Negative for
+  /// a law that creates energy.
   template <class T>
   FEMSPH_INLINE T plastic_work(const T* history) const {
     return history[work];
   }
 };
 
-/// Infinite without return mapping: there the stress passes the yield stress, and rightly by these
-/// hypotheses. By Johnson and Cook's rule what the last step's rate and heat make of it, and not below what
-/// the point bears: where the strain stands still, stress that a rate held up stays.
+/// Infinite without return mapping, where the stress may exceed the yield stress. For the Johnson-Cook law
+/// the yield stress at the rate and temperature of the last step, but at least the present stress, which the
+/// strain rate may have raised before.
 FlowStress flow_stress(const Plastic& law, const double* history, double share,
                        const std::array<double, 6>& cauchy);
 

@@ -1,4 +1,4 @@
-// What the plastic law says of itself, and the reading of its keys.
+// The plastic law: its description, its keys and their reading.
 
 #include <fmt/format.h>
 
@@ -8,7 +8,7 @@
 namespace femsph {
 namespace {
 
-/// dY/dp, given as it is or by the tangent modulus Et of the uniaxial curve: 1/Et = 1/E + 1/H.
+/// H = dY/dp, given directly or by the tangent modulus Et of a uniaxial test: 1/Et = 1/E + 1/H.
 double read_hardening(Fields& fields, double young) {
   const auto hardening = fields.quantity(
       "hardening", Need::optional, dimension::pressure, Sign::not_negative);
@@ -72,7 +72,8 @@ JohnsonCook read_johnson_cook(Fields& material, double density) {
   return jc;
 }
 
-/// Johnson-Cook goes with the plain law alone, and needs a component of stress across the plane.
+/// Johnson-Cook can be combined neither with a tension rule nor with another integration, nor with plane
+/// stress.
 void check_johnson_cook(Fields& fields, const Plasticity& p, const LawInput& in) {
   for (const char* key : {"hardening", "tangent_ratio"})
     if (fields.has(key))
@@ -102,44 +103,50 @@ const std::vector<std::pair<std::string, Integration>>& integrations() {
 
 Entry Plastic::entry() {
   const std::string pressure = key_holds::quantity(dimension::pressure);
-  return {"plastic",
-          "von Mises plasticity, hardening linearly or by Johnson and Cook",
-          {{"yield", pressure, "The yield stress; A of Johnson and Cook.", true},
-           {"hardening", pressure,
-            "H, the slope of the yield stress over the plastic strain. Either this or \"tangent_ratio\"."},
-           {"tangent_ratio", key_holds::number,
-            "r = Et/E of the uniaxial curve, 0 to below 1: H = E r / (1 - r). Either this or \"hardening\"."},
-           {"tension", key_holds::words(std::vector<std::string>{"none", "sign", "principal"}),
-            "A limit on tension: \"sign\" takes \"tensile_strength\" as the yield stress where the mean "
-            "stress is tension, \"principal\" cuts principal stresses at it. \"none\" unless given."},
-           {"tensile_strength", pressure, "The limit of the tension rule.", false,
-            "with \"sign\" or \"principal\""},
-           {"integration", key_holds::words(integrations()),
-            "How the stress is brought to the yield surface: \"return\" (unless given) maps it back, the "
-            "others let it pass, for comparison."}}};
+  return {
+      "plastic",
+      "von Mises plasticity with linear hardening, or the Johnson-Cook law",
+      {{"yield", pressure, "The initial yield stress; A of the Johnson-Cook law.", true},
+       {"hardening", pressure,
+        "The plastic modulus H: the slope of the yield stress over the plastic strain. Give this or "
+        "\"tangent_ratio\"."},
+       {"tangent_ratio", key_holds::number,
+        "The ratio r of the tangent modulus to Young's modulus in a uniaxial test, from 0 to below 1; H "
+        "= E r / (1 - r). Give this or \"hardening\"."},
+       {"tension", key_holds::words(std::vector<std::string>{"none", "sign", "principal"}),
+        "How tension is limited. \"none\": as compression. \"sign\": the yield stress is "
+        "\"tensile_strength\" where the mean stress is tension. \"principal\": no principal stress "
+        "exceeds \"tensile_strength\" (Rankine). \"none\" unless given."},
+       {"tensile_strength", pressure, "The tensile strength, for \"tension\".", false,
+        "with \"sign\" or \"principal\""},
+       {"integration", key_holds::words(integrations()),
+        "How the stress follows the strain beyond yield. \"return\": return mapping (backward Euler). "
+        "The others do without; they are hypotheses about published results, for comparison "
+        "(model/material/README.md). \"return\" unless given."}}};
 }
 
 std::vector<KeyTable> Plastic::tables() {
   const std::string temperature = key_holds::quantity(dimension::temperature);
   return {
       {"[materials.NAME.johnson_cook]",
-       "Of a plastic material, in place of \"hardening\": the yield stress is (A + B p^n) (1 + C ln(rate / "
-       "reference_rate)) (1 - T*^m), T* = (T - room) / (melting - room). Without \"melting\" heat has no "
-       "effect.",
-       {{"B", key_holds::quantity(dimension::pressure), "The coefficient of hardening.", true},
-        {"n", key_holds::number, "The exponent of the plastic strain p, above 0 and at most 1.", true},
-        {"C", key_holds::number, "The coefficient of the strain rate, 0 to 1. 0 unless given."},
+       "The yield stress of Johnson and Cook, for a plastic material, instead of \"hardening\": (A + B p^n) "
+       "(1 + C ln(rate / reference_rate)) (1 - T*^m), T* = (T - room) / (melting - room), with p the plastic "
+       "strain and \"rate\" its rate. Without \"melting\" there is no effect of temperature.",
+       {{"B", key_holds::quantity(dimension::pressure), "The hardening coefficient.", true},
+        {"n", key_holds::number, "The hardening exponent, above 0 and at most 1.", true},
+        {"C", key_holds::number,
+         "The coefficient of the strain rate, 0 to 1. 0, no effect of the rate, unless given."},
         {"reference_rate", key_holds::quantity(dimension::rate),
-         "The plastic strain rate at which C adds nothing.", false, "with C above 0"},
+         "The plastic strain rate of the test that gave A, B and n.", false, "with C above 0"},
         {"melting", temperature, "The melting temperature."},
-        {"m", key_holds::number, "The exponent of the temperature, up to 10.", false, "with \"melting\""},
-        {"room", temperature, "The temperature at which A, B and n were measured.", false,
+        {"m", key_holds::number, "The exponent of the temperature, above 0 and up to 10.", false,
          "with \"melting\""},
-        {"temperature", temperature, "At the start. \"room\" unless given."},
-        {"heat_capacity", key_holds::quantity(dimension::heat_capacity), "Per mass.", false,
+        {"room", temperature, "The temperature of the test that gave A, B and n.", false, "with \"melting\""},
+        {"temperature", temperature, "The temperature at the start. \"room\" unless given."},
+        {"heat_capacity", key_holds::quantity(dimension::heat_capacity), "The heat capacity per mass.", false,
          "with \"melting\""},
         {"heat_share", key_holds::number,
-         "The share of the plastic work that turns to heat, 0 to 1. 0.9 unless given."}}}};
+         "The fraction of the plastic work that becomes heat, 0 to 1. 0.9 unless given."}}}};
 }
 
 Plasticity Plastic::read(Fields& fields, const LawInput& in) {
@@ -184,12 +191,12 @@ std::vector<std::string> Plastic::effects(const Plasticity& p) {
   return on;
 }
 
-/// Yield stress and hardening: tension rules are for concrete.
+/// Bars ignore the tension rule.
 BarYield Plastic::bar(const Plasticity& p) {
   return {p.yield, p.hardening,
-          p.johnson_cook ? "hardens by Johnson-Cook, which bars do not; expected \"hardening\" or "
-                           "\"tangent_ratio\""
-                         : ""};
+          p.johnson_cook
+              ? "hardens by Johnson-Cook, which bars do not; expected \"hardening\" or \"tangent_ratio\""
+              : ""};
 }
 
 }  // namespace femsph

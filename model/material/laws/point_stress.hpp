@@ -1,5 +1,6 @@
 #pragma once
-// What the pieces of Plastic share: a stress with its component across the plane, and its von Mises measure.
+// For the parts of the plastic law: a stress with its component normal to the plane, and its von Mises
+// stress.
 
 #include "model/numerics/tensor.hpp"
 
@@ -42,7 +43,7 @@ FEMSPH_INLINE T von_mises(const PointStress<T, dim>& s) {
   return square_root(von_mises_square(s));
 }
 
-/// What one step does beyond the stress itself.
+/// Plastic strain increments of a step.
 template <class T>
 struct Flow {
   T equivalent;  ///< increment of p

@@ -1,5 +1,5 @@
 #pragma once
-// Backward Euler: the trial stress is brought back to the yield surface that the step itself hardens.
+// Return mapping by backward Euler: the trial stress is returned to the yield surface at the end of the step.
 
 #include "model/material/laws/linear_elastic.hpp"
 #include "model/material/laws/point_stress.hpp"
@@ -7,8 +7,8 @@
 namespace femsph::plastic {
 
 /// Radial return (Wilkins 1964; Simo & Hughes, Computational Inelasticity, 3.3) in space and plane strain.
-/// `yield`: Y at the step's start. q falls by 3G dp while Y grows by H dp: dp = (q_trial - Y) / (3G + H), and
-/// the deviator keeps its direction.
+/// `yield`: Y at the start of the step. q decreases by 3G dp and Y increases by H dp, so that dp = (q_trial -
+/// Y) / (3G + H); the direction of the deviator does not change.
 template <class T, int dim>
 FEMSPH_INLINE Flow<T> radial_return(const LinearElastic& elastic, double hardening, const T& yield,
                                     PointStress<T, dim>& s) {
@@ -21,11 +21,11 @@ FEMSPH_INLINE Flow<T> radial_return(const LinearElastic& elastic, double hardeni
   return {dp, T{}};
 }
 
-/// The root of projected_return() by Newton's steps from x, whatever the overshoot. Out of the kernels' way:
-/// most steps overshoot by little.
+/// The root of projected_return() by Newton's method from x, for a trial stress far beyond the yield surface.
+/// Not inlined: this is rare.
 template <class T, class Mask>
 [[gnu::noinline]] T projected_root(T a, T b, T yield, double c, double k, T x, Mask yielding) {
-  for (int turn = 0; turn < 16; ++turn) {  // from 1000 Y at nu = -0.9 it takes eight
+  for (int turn = 0; turn < 16; ++turn) {  // eight suffice for a trial stress of 1000 Y at nu = -0.9
     const T A = 1.0 + c * x, B = 1.0 + x, A2 = A * A, B2 = B * B, N = a * B2 + b * A2, root = square_root(N);
     const T step = N * ((1.0 - k * x) * root - yield * A * B) /
                    (yield * (c * a * B2 * B + b * A2 * A) + k * N * root);
@@ -36,26 +36,29 @@ template <class T, class Mask>
 }
 
 /// Projected return in plane stress (Simo & Hughes, 3.4.2). With x = 2G dgamma, where d eps^p = dgamma s, the
-/// sum and the difference of the normal stresses fall at their own rates:
-///   sxx + syy = (..)_trial / A,   syy - sxx and sxy = (..)_trial / B,   A = 1 + c x,  B = 1 + x,  c =
-///   E/(3(1-nu)) / 2G = (1+nu)/(3(1-nu)), q(x)^2 = a/A^2 + b/B^2,  a = 1/4 (sxx+syy)^2,  b = 3/4 (syy-sxx)^2
-///   + 3 sxy^2,    dp = x q / 3G,    q = Y + H dp.
-/// The last, divided by q Y, reads g(x) = h(x) - (1 - k x)/Y = 0 with h = 1/q, k = H/3G. Here h is a power
-/// mean (exponent -2) of two linear functions, so it is concave and almost linear: Newton's steps rise to the
-/// root, each lane on its own, without a safeguard; one from beyond the root falls short of it.
+/// sum and the difference of the normal stresses decrease at different rates:
+///   sxx + syy = (..)_trial / A,   syy - sxx and sxy = (..)_trial / B,
+///   A = 1 + c x,   B = 1 + x,   c = E/(3(1-nu)) / 2G = (1+nu)/(3(1-nu)),
+///   q(x)^2 = a/A^2 + b/B^2,   a = 1/4 (sxx+syy)^2,   b = 3/4 (syy-sxx)^2 + 3 sxy^2,
+///   dp = x q / 3G,   q = Y + H dp.
+/// The last equation, divided by q Y, is g(x) = h(x) - (1 - k x)/Y = 0 with h = 1/q, k = H/3G. h is a power
+/// mean (exponent -2) of two linear functions, and therefore concave and almost linear: Newton's method
+/// converges monotonically from below in every lane, without safeguards, and a step from above the root ends
+/// below it.
 ///
 /// The first step, z from x = 0, is the series of the inverse of g to z^3: with w = a/q^2 and m = q g'/h = 1
 /// - w (1 - c) + k q/Y,
 ///   x = z + s z^2 + s (2 s - 1 + (1 - c) (4 - 5 w)/3) z^3,   s = -g''/2g' = 3/2 w (1 - w) (1 - c)^2 / m.
-/// From there a step of 1e-8 B or less ends it, which an overshoot of some per cent does. It takes no root:
-/// with R = 1 - k x, N = a B^2 + b A^2 and M = A B the miss of the surface is g/h = 1 - R q/Y = 1 - sqrt(1 +
-/// delta), delta = R^2 N / (Y M)^2 - 1, so that, but for powers of delta (1e-8 of the step),   dx = (R^2 N -
-/// (Y M)^2) M / (2 R (R (c a B^3 + b A^3) + k N M)). Beside it the reciprocals of A, B and R; they follow the
-/// step by its first power: nothing is divided after it.
+/// For a trial stress a few per cent beyond the surface, one further Newton step of 1e-8 B or less ends the
+/// iteration. It is computed without a square root: with R = 1 - k x, N = a B^2 + b A^2 and M = A B the miss
+/// of the surface is g/h = 1 - R q/Y = 1 - sqrt(1 + delta), delta = R^2 N / (Y M)^2 - 1, so that, but for
+/// powers of delta (1e-8 of the step), dx = (R^2 N - (Y M)^2) M / (2 R (R (c a B^3 + b A^3) + k N M)). Beside
+/// it the reciprocals of A, B and R are computed and then corrected for the step to first order, so that no
+/// division follows the step.
 ///
-/// When to stop: with w the share of a/A^2 in q^2, h''/h' = -3 w (1 - w) (1/B - c/A)^2 / (w c/A + (1 - w)/B),
-/// whose largest value over w gives |h''| <= 3 (1 - sqrt c)^2 h' / B. So a step dx leaves an error of at most
-/// 3/2 dx^2 / B (c <= 1), and 1e-7 B leaves 1.5e-14 B.
+/// The end of the iteration: with w the share of a/A^2 in q^2, h''/h' = -3 w (1 - w) (1/B - c/A)^2 / (w c/A +
+/// (1 - w)/B), whose largest value over w gives |h''| <= 3 (1 - sqrt c)^2 h' / B. So a step dx leaves an
+/// error of at most 3/2 dx^2 / B (c <= 1), and 1e-7 B leaves 1.5e-14 B.
 template <class T>
 FEMSPH_INLINE Flow<T> projected_return(const LinearElastic& elastic, double hardening, const T& yield,
                                        PointStress<T, 2>& s) {
@@ -95,7 +98,7 @@ FEMSPH_INLINE Flow<T> projected_return(const LinearElastic& elastic, double hard
           select(yielding, x * u, T{}) * (-1.0 / three_g)};
 }
 
-/// Radial, or projected in plane stress.
+/// The radial return, or in plane stress the projected one.
 template <class T, int dim>
 FEMSPH_INLINE Flow<T> return_to_surface(const LinearElastic& elastic, double hardening, const T& yield,
                                         PointStress<T, dim>& s) {

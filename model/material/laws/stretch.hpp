@@ -1,13 +1,13 @@
 #pragma once
-// The right stretch U by the strain e = U - 1 that the laws see.
+// The right stretch tensor U, given by the strain e = U - 1.
 
 #include "model/numerics/tensor.hpp"
 
 namespace femsph {
 
-/// det U - 1, without the loss of taking 1 away.
+/// The relative change of volume (of area in 2D), det U - 1, without cancellation at small strain.
 template <class T, int dim>
-FEMSPH_INLINE T growth(const Symmetric<T, dim>& e) {
+FEMSPH_INLINE T volume_change(const Symmetric<T, dim>& e) {
   if constexpr (dim == 2)
     return e[0] + e[1] + (e[0] * e[1] - e[2] * e[2]);
   else {

@@ -2,11 +2,12 @@
 // Rankine's cut-off: no principal stress above the tensile strength. The stress keeps its principal axes n_i
 // and each principal stress becomes min(sigma_i, strength): sigma -= sum_i max(sigma_i - strength, 0) n_i (x)
 // n_i.
-//   - Differences of principal stresses never grow, so q does not: the von Mises condition, met before, stays
-//   met.
-//   - Energy is never created: the strain that goes inelastic, C^-1 D with D the part cut off, takes the work
+//   - Differences of principal stresses do not increase, and neither does q: the von Mises condition remains
+//     satisfied.
+//   - No energy is created: the inelastic strain C^-1 D, with D the stress that is cut off, dissipates the
+//   work
 //     sigma : C^-1 : D = tr D ((1 + nu) strength - nu tr sigma) / E >= tr D (1 - 2 nu) strength / E >= 0.
-// In plane stress the cut acts in the plane; in plane strain on the normal stress across as well.
+// In plane stress the stresses in the plane are cut, in plane strain also the stress normal to it.
 
 #include "model/material/laws/point_stress.hpp"
 

@@ -17,12 +17,12 @@ namespace {
       bar.name));
 }
 
-/// A coordinate across the bar, and the share of its area that goes there.
+/// A coordinate of a row across the bar, and the share of the bar's area that it carries.
 struct Share {
   double at, share;
 };
 
-/// The nearest coordinates of points on both sides of x along axis a.
+/// The rows next to the bar along axis a, on both sides of it.
 std::vector<Share> shares_across(const Bar& bar, int a, std::span<const Point> points, double tolerance) {
   const double x = bar.from[a];
   double below = -std::numeric_limits<double>::infinity(), above = std::numeric_limits<double>::infinity();
@@ -40,7 +40,7 @@ double overlap(double a, double b, double c, double d) {
   return std::max(0.0, std::min(b, d) - std::max(a, c));
 }
 
-/// The points of the row, in order, and how much of the bar each of them and each gap holds.
+/// Fills in the points of the row in order, and the lengths of bar at each of them and between them.
 void fill_row(BarRow& row, const Bar& bar, std::span<const Point> points, int dim, double tolerance) {
   const int a = row.axis;
   for (std::size_t i = 0; i < points.size(); ++i) {

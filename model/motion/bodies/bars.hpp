@@ -1,6 +1,6 @@
 #pragma once
-// Which points of a discretization carry a bar. A bar between two rows of points is shared by them in inverse
-// proportion to their distances, so that its force acts at the right height on any mesh.
+// The rows of points that carry a reinforcing bar. A bar between two rows is distributed to both by the lever
+// rule, so that its force acts at the right height on any grid.
 
 #include <span>
 #include <string>
@@ -12,25 +12,25 @@
 
 namespace femsph {
 
-/// A row of points along a bar, and the share of the bar that it carries.
+/// A row of points along a bar, and the part of the bar that it carries.
 struct BarRow {
   std::size_t bar;  ///< index into Scene::bars
   int axis;
-  double area;  ///< m^2
+  double area;  ///< the part of the bar's area, m^2
   BarLaw law;
-  Point at{};                       ///< where the row is across the axis, m
-  std::vector<std::size_t> points;  ///< along the axis
-  std::vector<double> length;       ///< of the bar within each point's cell (to halfway to its neighbours), m
-  std::vector<double> segment;      ///< of the bar between points k and k + 1, m
-  std::vector<double> gap;          ///< between points k and k + 1, m
+  Point at{};                       ///< the coordinates of the row across the axis, m
+  std::vector<std::size_t> points;  ///< in order along the axis
+  std::vector<double> length;   ///< m: length of bar that belongs to each point (halfway to its neighbours)
+  std::vector<double> segment;  ///< m: length of bar between points k and k + 1
+  std::vector<double> gap;      ///< m: distance of points k and k + 1
 };
 
-/// The rows that carry the bars of one body. `tolerance`: how far a point of a row may lie beside it, m.
-/// Throws std::runtime_error with one sentence if no rows lie along a bar.
+/// The rows that carry the bars of one body. `points`: undeformed positions, m. `tolerance` (m): how far a
+/// point may lie beside its row. Throws Refusal if there are no rows along a bar.
 std::vector<BarRow> bar_rows(const Scene& scene, std::size_t body, std::span<const Point> points,
                              double tolerance);
 
-/// What the bars' laws remember: the member `state` of every truss or piece.
+/// Saves or restores the history of the bars: the member `state` of every piece.
 template <class Piece>
 void bar_states(Archive& archive, std::vector<Piece>& pieces) {
   if (pieces.empty()) return;

@@ -21,7 +21,8 @@ double dot(const Vector& a, const Vector& b) {
   });
 }
 
-/// How many eigenvalues of the symmetric tridiagonal matrix (a, b) lie above x (Sturm sequence).
+/// The number of eigenvalues above x of the symmetric tridiagonal matrix with diagonal a and off-diagonal b,
+/// by its Sturm sequence.
 int eigenvalues_above(const std::vector<double>& a, const std::vector<double>& b, double x) {
   int above = 0;
   double q = 1;
@@ -65,11 +66,12 @@ double last_component(const std::vector<double>& a, const std::vector<double>& b
   return std::abs(y) / std::sqrt(sum);
 }
 
-/// Largest eigenvalue of M^-1 A, from above by at most a fraction of a percent. `apply(x, y)`: y = A x.
+/// An upper bound of the largest eigenvalue of M^-1 A that is less than 0.2 % too large. `apply(x, y)`: y = A
+/// x.
 template <class Apply>
 double largest_of(const Vector& inverse_mass, Apply&& apply) {
   const std::size_t n = inverse_mass.size();
-  // Work with S = M^-1/2 A M^-1/2; the start vector holds all frequencies.
+  // Lanczos iteration with S = M^-1/2 A M^-1/2; the random start vector contains all modes.
   Vector root(n), q(n), before(n, 0.0), x(n), y(n);
   std::uint64_t seed = 88172645463325252ull;
   for (std::size_t i = 0; i < n; ++i) {

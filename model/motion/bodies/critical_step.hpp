@@ -5,12 +5,12 @@
 
 namespace femsph {
 
-/// Largest stable step of the leap-frog march, s: 2 / omega_max without viscosity.
-/// omega_max^2 is the largest eigenvalue of M^-1 K, found by Lanczos iteration in the inner product of M with
-/// the discretization's own operator; the Ritz value's residual is added, so the estimate errs to the safe
-/// side. With viscosity (force taken at the lagged half-step velocity) the march is stable while 4 M - 2 dt C
-/// - dt^2 K is positive definite. `springs` (flat, N/m) stand on the points to ground beside the
-/// discretization's own stiffness. `inverse_mass` is flat, with 0 at supported components.
+/// The critical time step of the leap-frog, s. Without viscosity it is 2 / omega_max, with omega_max^2 the
+/// largest eigenvalue of M^-1 K. This is found by Lanczos iteration with the stiffness operator of the
+/// discretization; the residual of the Ritz value is added to it, so that the estimate is on the safe side.
+/// With viscosity, whose force is taken at the velocity half a step before, the leap-frog is stable as long
+/// as 4 M - 2 dt C - dt^2 K is positive definite. `springs` (N/m, flat) are springs to ground on the points,
+/// added to the stiffness. `inverse_mass` (1/kg, flat) is 0 for held components.
 double critical_step(const Discretization& discretization, const AlignedVector<double>& inverse_mass,
                      std::span<const double> springs = {});
 

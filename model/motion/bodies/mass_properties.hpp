@@ -1,5 +1,5 @@
 #pragma once
-// Mass and centre of gravity of a body: those of the scene, and what a discretization makes of them.
+// Mass and centre of gravity of a body, in the scene and in a discretization.
 
 #include <string>
 
@@ -12,18 +12,18 @@ struct MassProperties {
   Point centre{};   ///< m, at the start
 };
 
-/// rho V and the centroid of the body's shape, with the bars in it; of a rigid body its mass.
+/// Those of the scene: density times volume, and the bars; for a rigid body its mass.
 MassProperties mass_of(const Scene& scene, std::size_t body);
-/// The sums over the points of a discretization.
+/// Those of a discretization: sums over its points.
 MassProperties mass_of(const Discretization& discretization);
 
-/// How far a discretization is off: its mass relative to the scene's, the centre relative to the diagonal of
-/// the body's bounding box.
+/// The error of a discretization: of the mass relative to that of the scene, of the centre relative to the
+/// diagonal of the bounding box.
 struct MassError {
   double mass = 0, centre = 0;
 };
 MassError mass_error(const Scene& scene, std::size_t body, const Discretization& discretization);
-/// A sentence if one of them is over 1 %, else empty.
+/// A warning if one of them exceeds 1 %, else empty.
 std::string mass_warning(const Scene& scene, std::size_t body, const Discretization& discretization);
 
 /// "12.5 kg, centre (10, 20, 0) mm"

@@ -16,9 +16,10 @@ std::vector<Weight> Motion::points_of(const MovingBody& body, const Place& place
 
 std::pair<std::size_t, int> component_of(const Layout& at, std::size_t slot) {
   const std::size_t k = slot - at.offset;
-  if (at.component_stride == 1) return {k / at.point_stride, int(k % at.point_stride)};  // side by side
-  return {
-      (k % at.component_stride) / at.point_stride, int(k / at.component_stride)};  // a row for each component
+  if (at.component_stride == 1)
+    return {k / at.point_stride, int(k % at.point_stride)};  // the components of a point side by side
+  return {(k % at.component_stride) / at.point_stride,
+          int(k / at.component_stride)};  // one row for each component
 }
 
 }  // namespace femsph

@@ -1,5 +1,8 @@
 #pragma once
-// What a march moves, as its effects see it: bodies, rigid bodies and the clock.
+// The state of a run, as effects see it: deformable bodies, rigid bodies and time. + // + // A "point" is a
+// node or a particle. Vectors are flat (see Layout); a "slot" is an index into them, that is, one
+// displacement component of one point. A component is "held" if a support or a symmetry plane fixes it or
+// prescribes its motion.
 
 #include <cmath>
 #include <memory>
@@ -15,34 +18,34 @@
 
 namespace femsph {
 
-/// One discretized body and what the march keeps for it. Vectors are flat (see Layout).
+/// One deformable body.
 struct MovingBody {
   std::string name;
   std::size_t index = 0;  ///< into Scene::bodies
   std::unique_ptr<Discretization> discretization;
-  AlignedVector<double> u;  ///< displacement, m, at the whole step of now
-  AlignedVector<double> v;  ///< velocity, m/s, at the half step before
-  AlignedVector<double> f;  ///< N, now: the internal force, and all that effects have added
-  /// 1/kg; 0 where a support holds the component, so that it never moves.
+  AlignedVector<double> u;  ///< displacement, m, at the present whole step n
+  AlignedVector<double> v;  ///< velocity, m/s, at n - 1/2
+  AlignedVector<double> f;  ///< force, N, at n: the internal force and those of the effects
+  /// 1/kg; 0 for held components, so that no force moves them.
   AlignedVector<double> inverse_mass;
-  AlignedVector<double> viscous;   ///< N, now; empty unless the discretization has viscosity
-  AlignedVector<double> mass;      ///< kg; empty unless settling or damping needs it
-  AlignedVector<double> internal;  ///< N: internal and viscous force alone; only while a sample is taken
-  /// A held component whose points have inertia in the march: one that moves as its support says, or that its
-  /// support stops at t = 0 (velocity 0). It is a free component under its reaction, and the reaction is what
-  /// makes it follow. Sorted by slot.
+  AlignedVector<double> viscous;   ///< viscous force, N, at n; empty unless the discretization has viscosity
+  AlignedVector<double> mass;      ///< kg; empty in runs without damping and settling
+  AlignedVector<double> internal;  ///< internal and viscous force alone, N; only while a sample is taken
+  /// A held component whose mass matters: its support prescribes a velocity, or stops it at t = 0 (then
+  /// `velocity` is 0). It is treated as a free component on which the reaction acts that gives it the
+  /// prescribed motion. Sorted by slot.
   struct Driven {
     std::size_t slot;
-    double velocity;               ///< m/s at factor 1
-    std::size_t support;           ///< index into Scene::supports; any where the velocity is 0
+    double velocity;               ///< m/s, at a factor of 1 of the history
+    std::size_t support;           ///< index into Scene::supports; meaningless where the velocity is 0
     double mass;                   ///< kg
-    double start;                  ///< m/s: what [[initial]] gives this point at t = 0
-    double before = 0, after = 0;  ///< m/s, at the half steps before and after now
-    double reaction = 0;           ///< N, now
+    double start;                  ///< m/s: the initial velocity of the point, from [[initial]]
+    double before = 0, after = 0;  ///< m/s, at n - 1/2 and n + 1/2
+    double reaction = 0;           ///< N, at n
   };
   std::vector<Driven> driven;
-  /// A held component and one of those that hold it (an index into Scene::holds()); once for each of them.
-  /// Sorted.
+  /// A held component and one support of it, as an index into Scene::holds(). One entry for each support of
+  /// the component. Sorted.
   struct Held {
     std::size_t point;
     int component;
@@ -50,15 +53,15 @@ struct MovingBody {
     auto operator<=>(const Held&) const = default;
   };
   std::vector<Held> held;
-  /// Slots that a constraint moves together with others: no second constraint may take them.
+  /// Slots that take part in a constraint; none may take part in two.
   std::vector<std::size_t> constrained;
 
-  /// Force (N) on a slot, viscosity included.
+  /// The force (N) on a slot, viscosity included.
   double force(std::size_t slot) const { return viscous.empty() ? f[slot] : f[slot] + viscous[slot]; }
 };
 
-/// The leap-frog over a time tau, with damping of rate c: v+ = keep v- + push f/m,
-/// keep = (1 - c tau/2) / (1 + c tau/2), push = tau / (1 + c tau/2).
+/// The velocity update of the leap-frog over a time tau with mass-proportional damping of rate c: v+ = keep
+/// v- + push f/m, keep = (1 - c tau/2) / (1 + c tau/2), push = tau / (1 + c tau/2).
 struct Leap {
   double keep, push;
 };
@@ -71,15 +74,15 @@ inline double sum_of_magnitudes(const Point& p) { return std::abs(p[0]) + std::a
 
 struct Motion {
   const Scene& scene;
-  std::vector<MovingBody> bodies{};  ///< those that deform
+  std::vector<MovingBody> bodies{};  ///< the deformable ones
   std::vector<RigidBody> rigid{};
-  long step = 0;            ///< now is the whole step `step`
-  double dt = 0;            ///< s, of the step that led here
-  double next_dt = 0;       ///< s, of the step that begins here
-  double since_time = 0;    ///< s: when the step last changed
-  long since_step = 0;      ///< and at which step
-  double damping_rate = 0;  ///< c, 1/s
-  mutable Price price{};    ///< what the run has cost so far
+  long step = 0;            ///< n, the present whole step
+  double dt = 0;            ///< s, the step from n - 1 to n
+  double next_dt = 0;       ///< s, the step from n to n + 1
+  double since_time = 0;    ///< s: the time at which dt last changed
+  long since_step = 0;      ///< the step number at that time
+  double damping_rate = 0;  ///< c, 1/s, of mass-proportional damping
+  mutable Price price{};    ///< cost of the run so far
 
   double time_of(long n) const { return since_time + double(n - since_step) * dt; }
   double time() const { return time_of(step); }
@@ -87,17 +90,18 @@ struct Motion {
     return {(1 - 0.5 * damping_rate * tau) / (1 + 0.5 * damping_rate * tau),
             tau / (1 + 0.5 * damping_rate * tau)};
   }
-  /// The points of a place. Throws MotionError if there are none; `what` acts there.
+  /// The points of a place. Throws MotionError if there are none; `what` is what acts there ("load"), for the
+  /// message.
   std::vector<Weight> points_of(const MovingBody& body, const Place& place, const char* what) const;
 };
 
-/// A run that went wrong: step, time, place, likely cause and advice, in one message.
+/// A run that failed. The message has step, time, place, likely cause and advice.
 class MotionError : public std::runtime_error {
  public:
   using std::runtime_error::runtime_error;
 };
 
-/// A march that one of its watches stopped: it was sound when it began.
+/// A run that one of the checks has stopped after its start.
 class Stopped : public MotionError {
  public:
   enum class Watch { not_a_number, energy, step, unit, contact };

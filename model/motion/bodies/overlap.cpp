@@ -34,8 +34,8 @@ void each_triangle(const Surface& s, const Facet& f, Take&& take) {
   take(p[0], p[2], p[3]);
 }
 
-/// Twice the area of a, b, p seen along x. Exactly the opposite for b, a and never zero, so that a ray
-/// through an edge meets one of its two facets.
+/// Twice the signed area of a, b, p projected along x. Exactly the opposite value for b, a, and never zero,
+/// so that a ray through an edge crosses exactly one of its two facets.
 double area_along_x(const Surface& s, std::size_t a, std::size_t b, const Point& p) {
   const bool turned = a > b;
   if (turned) std::swap(a, b);
@@ -60,8 +60,8 @@ int crossing(const Surface& s, std::size_t a, std::size_t b, std::size_t c, cons
   return x <= p[0] ? 0 : ab > 0 ? 1 : -1;
 }
 
-/// Where p -> q goes through the triangle a, b, c (in a plane: the segment a, b), farther than `tolerance`
-/// from its own ends and from the edges.
+/// Where the edge from p to q goes through the triangle a, b, c (in a plane: the segment a, b), at more than
+/// `tolerance` (m) from p, q and the edges of the triangle.
 std::optional<Point> piercing(int dim, const Point& p, const Point& q, const Point& a, const Point& b,
                               const Point& c, double tolerance) {
   Point n = dim == 2 ? Point{b[1] - a[1], a[0] - b[0], 0} : cross(b - a, c - a);
@@ -84,7 +84,8 @@ std::optional<Point> piercing(int dim, const Point& p, const Point& q, const Poi
   return x;
 }
 
-/// The part of a polygon (or segment) that lies where x_axis <= limit, or >= limit (Sutherland and Hodgman).
+/// The part of a polygon or segment with x_axis <= limit, or >= limit (the algorithm of Sutherland and
+/// Hodgman).
 std::vector<Point> cut(const std::vector<Point>& polygon, int axis, double limit, bool below) {
   std::vector<Point> kept;
   const auto inside = [&](const Point& p) { return below ? p[axis] <= limit : p[axis] >= limit; };
@@ -96,7 +97,7 @@ std::vector<Point> cut(const std::vector<Point>& polygon, int axis, double limit
   return kept;
 }
 
-/// A facet that reaches into an axis-parallel box.
+/// A facet that reaches into a box.
 std::optional<Overlap> reach_into(const Surface& s, const Shape& box, double tolerance) {
   const Point lower = box.lower(), upper = box.upper();
   for (const Facet& f : s.facets) {
@@ -149,8 +150,8 @@ bool Enclosure::reaches(const Point& p, double tolerance) const {
 }
 
 int Enclosure::winding(const Point& p) const {
-  // A hair beside p, so that on a lattice the ray meets no row of points; what lies that near to the boundary
-  // counts as touching.
+  // Slightly beside p, so that on a lattice the ray does not pass exactly through points. A point so near to
+  // the boundary counts as touching.
   const double hair = 1e-7 * surface_.spacing;
   const Point q{p[0], p[1] + 0.618 * hair, p[2] + (surface_.dim == 3 ? 0.414 * hair : 0.0)};
   int turns = 0;
@@ -164,7 +165,7 @@ int Enclosure::winding(const Point& p) const {
 }
 
 double Enclosure::distance(std::size_t facet, const Point& p) const {
-  const Stand s = stand_over(surface_.dim, surface_.corners(surface_.facets[facet]), p);
+  const Projection s = project_onto_facet(surface_.dim, surface_.corners(surface_.facets[facet]), p);
   return std::hypot(s.gap, s.beyond);
 }
 

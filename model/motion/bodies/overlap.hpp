@@ -1,10 +1,10 @@
 #pragma once
-// Are two bodies in each other where they stand? Asked once, before the first step.
+// Whether two bodies overlap. Checked once, before the first step.
 //
-// A deformable body is what its boundary facets enclose, as displaced at the start; a rigid one is its shape.
-// Two such bodies are in each other if a point of one lies inside the other (which finds any depth, and a
-// body that is wholly inside), or if an edge of one pierces a facet of the other (which finds bodies that
-// cross and leave no point inside). Touching is not: less than a tolerance counts as nothing.
+// A deformable body is the region that its boundary facets enclose, with its initial displacement; a rigid
+// one is its shape. Two bodies overlap if a point of one lies inside the other (at any depth), or if an edge
+// of one pierces a facet of the other (bodies that cross without a point inside). Depths below a tolerance
+// count as touching.
 
 #include <optional>
 #include <vector>
@@ -14,37 +14,37 @@
 
 namespace femsph {
 
-/// A place where two bodies are in each other.
+/// A place where two bodies overlap.
 struct Overlap {
   Point at;
-  double depth = 0;  ///< m, from there to the other body's boundary; 0: not known
+  double depth = 0;  ///< m, distance from there to the boundary of the other body; 0: not known
 };
 
-/// The closed boundary of a deformable body where it is now (Surface::now). `surface` must outlive it.
+/// The region inside a closed surface at its present position (Surface::now). `surface` must outlive it.
 class Enclosure {
  public:
   explicit Enclosure(const Surface& surface);
   /// Distance (m) from p to the boundary if p is inside; 0 if it is outside, or nearer to the boundary than
   /// `tolerance`.
   double depth(const Point& p, double tolerance) const;
-  /// Where an edge of the other body goes through a facet of this one, by more than `tolerance` on both
-  /// sides.
+  /// Where an edge of the other surface goes through a facet of this one, by more than `tolerance` (m) on
+  /// both sides.
   std::optional<Point> pierced_by(const Surface& other, double tolerance) const;
 
  private:
-  /// How many times the boundary goes round p: facets that the ray from p along x meets, those that it leaves
-  /// by less those that it enters by.
+  /// The winding number of the surface about p: on the ray from p along x, the facets through which it leaves
+  /// the body minus those through which it enters.
   int winding(const Point& p) const;
   double distance(std::size_t facet, const Point& p) const;
   bool reaches(const Point& p, double tolerance) const;  ///< p is in the bounding box
 
   const Surface& surface_;
   BoxGrid::Box bounds_{};
-  BoxGrid grid_, columns_;  ///< of the facets' boxes; of the same seen along x
+  BoxGrid grid_, columns_;  ///< bounding boxes of the facets; the same projected along x
 };
 
 std::optional<Overlap> overlap_of(const Surface& a, const Surface& b, double tolerance);
-/// A deformable body and a rigid box or ball that has not moved yet.
+/// The same for a deformable body and the shape of a rigid one, in its initial position.
 std::optional<Overlap> overlap_of(const Surface& a, const Shape& rigid, double tolerance);
 
 }  // namespace femsph

@@ -21,8 +21,8 @@ double seconds(clockid_t clock) {
 double cpu_seconds() { return seconds(CLOCK_PROCESS_CPUTIME_ID); }
 double wall_seconds() { return seconds(CLOCK_MONOTONIC); }
 
-/// VmHWM rather than getrusage: the latter's maximum survives exec, so that it may be that of the script that
-/// started us.
+/// From VmHWM rather than getrusage(): the maximum of the latter survives exec() and may be that of the
+/// calling script.
 std::size_t peak_memory() {
   std::ifstream status("/proc/self/status");
   for (std::string key; status >> key; status.ignore(1 << 12, '\n')) {

@@ -1,5 +1,5 @@
 #pragma once
-// What a run cost.
+// The cost of a run: CPU time, wall time and memory.
 
 #include <cstddef>
 #include <string>
@@ -8,7 +8,7 @@
 
 namespace femsph {
 
-/// CPU seconds of this process so far, all threads; and seconds on the wall clock from some fixed point.
+/// CPU seconds of this process so far, all threads together; and seconds of a clock from an arbitrary origin.
 double cpu_seconds();
 double wall_seconds();
 /// Largest resident set of this process so far, bytes.
@@ -17,11 +17,11 @@ std::size_t peak_memory();
 struct Price {
   long steps = 0;
   double dt = 0;             ///< s
-  double cpu = 0, wall = 0;  ///< s, of the march (set-up is a phase)
-  double total_cpu = 0;      ///< s, of the whole run: set-up, critical step, march, output
+  double cpu = 0, wall = 0;  ///< s, of the time integration
+  double total_cpu = 0;      ///< s, of the whole run: set-up, critical step, time integration, output
   int threads = 1;
   std::size_t units = 0;  ///< particles or elements
-  std::size_t bytes = 0;  ///< held by discretizations and march
+  std::size_t bytes = 0;  ///< memory of the discretizations and of the time integration
   std::vector<std::pair<std::string, double>>
       phases;  ///< wall seconds per phase: setup, critical step, march, output
   void add(const std::string& phase, double seconds);

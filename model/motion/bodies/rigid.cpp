@@ -58,15 +58,15 @@ double RigidBody::least_mass() const {
 
 int RigidBody::sides() const { return form().side_count(); }
 
-Stand RigidBody::stand(int side, const Point& x) const {
-  const SideStand on = form().stand(side, x - centre(), axes);
-  Stand s;
+Projection RigidBody::project(int side, const Point& x) const {
+  const SideProjection on = form().project(side, x - centre(), axes);
+  Projection s;
   s.normal = on.normal, s.gap = on.gap, s.beyond = on.beyond;
   s.foot = x - s.gap * s.normal;
   return s;
 }
 
-/// The reader of scenes lets no other shape be rigid; a scene made by hand may try.
+/// The reader of scenes refuses other shapes; a scene that is made by code may have one.
 const RigidForm& RigidBody::form() const {
   if (const RigidForm* form = shape->rigid()) return *form;
   throw Refusal("a rigid body cannot be a " + shape->describe());
@@ -111,7 +111,7 @@ double RigidBody::energy_of_kick(double keep, double push) const {
 
 namespace {
 
-/// Rodrigues: x turned about w by |w| rad.
+/// x rotated about w by |w| rad (Rodrigues' formula).
 Point turned(const Point& x, const Point& w) {
   const double angle = norm(w);
   if (angle == 0) return x;
@@ -124,8 +124,7 @@ Point turned(const Point& x, const Point& w) {
 void RigidBody::drift(double dt) {
   moved = moved + dt * velocity;
   if (dot(spin, spin) == 0) return;
-  // The inertia in space turns with the body: the rate that belongs to the spin is taken at the middle of the
-  // step.
+  // The inertia tensor rotates with the body: the angular velocity is taken at the middle of the step.
   const std::array<Point, 3> before = axes;
   const Point first = rate();
   for (Point& axis : axes) axis = turned(axis, 0.5 * dt * first);

@@ -1,6 +1,5 @@
 #pragma once
-// Bodies that move and turn as a whole. A rigid body is no discretization: its surface is its shape, and
-// contact asks that.
+// Rigid bodies. They have no discretization: contact uses their shape.
 
 #include <array>
 #include <string>
@@ -12,12 +11,12 @@
 
 namespace femsph {
 
-/// Where a point stands to a piece of a surface: a facet, or a side of a rigid shape.
-struct Stand {
-  std::array<double, 4> share{};  ///< facets: shape functions at the foot
-  Point foot{}, normal{};         ///< nearest point of the piece; outward there
-  double gap = 0;                 ///< m; below 0: inside
-  double beyond = 0;              ///< m: how far the foot lies beyond the piece's edge
+/// The closest-point projection of a point onto a piece of a surface: a facet, or a side of a rigid shape.
+struct Projection {
+  std::array<double, 4> share{};  ///< shape functions of the facet at the foot
+  Point foot{}, normal{};         ///< the projection, m; the outward unit normal there
+  double gap = 0;                 ///< distance along the normal, m; negative inside of the body
+  double beyond = 0;              ///< how far the foot lies outside of the piece, m
 };
 
 struct RigidBody {
@@ -30,42 +29,46 @@ struct RigidBody {
   double mass;                ///< kg
   Point inertia{};            ///< about the axes of the shape, kg m^2
   Point start{};              ///< centre at the start, m
-  Point moved{}, velocity{};  ///< displacement of the centre; its velocity at the last half step
-  Point spin{};               ///< angular momentum about the centre at the last half step, in space, kg m^2/s
-  Point force{}, moment{};    ///< on the centre, N and N m
-  Point gravity{};            ///< m/s^2
-  std::array<Point, 3> axes{Point{1, 0, 0}, Point{0, 1, 0}, Point{0, 0, 1}};  ///< of the shape, in space
-  double angle = 0;                                                           ///< in a plane, rad
+  Point moved{}, velocity{};  ///< displacement of the centre, m; its velocity at the last half step, m/s
+  Point spin{};  ///< angular momentum about the centre at the last half step, in the axes of space, kg m^2/s
+  Point force{}, moment{};  ///< resultant at the centre, N and N m
+  Point gravity{};          ///< m/s^2
+  std::array<Point, 3> axes{
+      Point{1, 0, 0}, Point{0, 1, 0}, Point{0, 0, 1}};  ///< the axes of the shape, in space
+  double angle = 0;                                     ///< rotation in a plane scene, rad
   std::array<bool, 3> held{}, held_turn{};
 
   Point centre() const { return {start[0] + moved[0], start[1] + moved[1], start[2] + moved[2]}; }
-  Point rate() const { return rate_of(spin); }  ///< angular velocity, rad/s
+  Point rate() const { return rate_of(spin); }  ///< angular velocity, rad/s, in the axes of space
   Point rate_of(const Point& spin) const;
   Point velocity_at(const Point& x) const;
   void push(const Point& x, const Point& f);  ///< adds a force f at x
-  double reach() const;                       ///< no point of the body is farther from its centre, m
-  double surface() const;                     ///< area (perimeter in 2D), m^(dim-1)
-  /// Mass that the body opposes at least to a push anywhere on it: 1/M + r^2/I, kg; infinite if it is fixed.
+  double reach() const;    ///< upper bound of the distance of its points from the centre, m
+  double surface() const;  ///< surface area, m^2; perimeter in a plane, m
+  /// Lower bound of the effective mass (kg) against a force anywhere on the body: 1 / (1/M + r^2/I); infinite
+  /// if it is fixed.
   double least_mass() const;
-  /// Of the shape: those of a box, or one of a ball.
+  /// The number of sides of its shape: those of a box, one of a disc or sphere.
   int sides() const;
-  Stand stand(int side, const Point& x) const;
+  Projection project(int side, const Point& x) const;
 
-  /// Its weight, in place of what was there.
+  /// Sets the force to the weight, and the moment to 0.
   void begin_forces();
-  /// Leap-frog: velocity and spin by the force, then the place by the velocity. keep and push: see
+  /// The leap-frog: kick() changes velocity and angular momentum, drift() the position. keep and push: see
   /// Leap.
   void kick(double keep, double push);
   void drift(double dt);
-  /// From velocity and spin at the start to those half a step before (see March::start_velocities).
+  /// Changes velocity and angular momentum from those at the start to those half a step before (see
+  /// March::start_velocities).
   void start_from(double keep, double push);
   void state(Archive& archive);
-  /// Velocity of the centre and angular momentum about it at the whole step: the means of the half steps
-  /// around it.
+  /// The velocity of the centre and the angular momentum about it at the whole step: means of the half steps
+  /// before and after.
   std::array<Point, 2> half_way(double keep, double push) const;
-  /// m |v+ - v-|^2, and of the turning likewise.
+  /// m |v+ - v-|^2, and the same of the rotation, J.
   double energy_of_kick(double keep, double push) const;
-  /// m v-.v + omega-.L with v = before v- + after v+, and L likewise: twice a kinetic energy.
+  /// m v- . v + omega- . L (J) with v = before v- + after v+, and the angular momentum L likewise: twice a
+  /// kinetic energy.
   double product(double keep, double push, double before, double after) const;
 
  private:

@@ -10,10 +10,10 @@ namespace femsph {
 
 namespace {
 
-Stand stand_over_segment(const std::array<Point, 4>& x, const Point& p) {
+Projection project_onto_segment(const std::array<Point, 4>& x, const Point& p) {
   const Point t = x[1] - x[0];
   const double length2 = dot(t, t), length = std::sqrt(length2), s = dot(p - x[0], t) / length2;
-  Stand r;
+  Projection r;
   r.share = {1 - s, s, 0, 0};
   r.foot = x[0] + s * t;
   r.normal = {t[1] / length, -t[0] / length, 0};
@@ -22,8 +22,8 @@ Stand stand_over_segment(const std::array<Point, 4>& x, const Point& p) {
   return r;
 }
 
-Stand stand_over_patch(const std::array<Point, 4>& x, const Point& p) {
-  Stand r;
+Projection project_onto_patch(const std::array<Point, 4>& x, const Point& p) {
+  Projection r;
   double a = 0.5, b = 0.5;
   Point along{}, across{};
   for (int turn = 0;; ++turn) {
@@ -49,8 +49,8 @@ Stand stand_over_patch(const std::array<Point, 4>& x, const Point& p) {
 
 }  // namespace
 
-Stand stand_over(int dim, const std::array<Point, 4>& corners, const Point& p) {
-  return dim == 2 ? stand_over_segment(corners, p) : stand_over_patch(corners, p);
+Projection project_onto_facet(int dim, const std::array<Point, 4>& corners, const Point& p) {
+  return dim == 2 ? project_onto_segment(corners, p) : project_onto_patch(corners, p);
 }
 
 Surface::Surface(const MovingBody& body, double density, double out_of_plane)

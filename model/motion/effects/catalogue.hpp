@@ -1,9 +1,10 @@
 #pragma once
-// The catalogue of effects: what a scene can ask for beyond bodies of a linear elastic law that nothing acts
-// on. One entry an effect, one list; the march, `femsph check`, the run record, the reader of scenes and the
-// page of keys follow from it.
+// The catalogue of effects: what a scene can contain besides bodies of a linear elastic material. Each effect
+// is one file of this folder, which states its word, its tables and keys, reads them, and does its work. The
+// list is in catalogue.cpp. The time loop, `femsph check`, the run record, the reader of scenes and the page
+// of keys follow from it.
 //
-// To add one: write a file here that defines `EffectEntry NAME_effect()`, and name it in catalogue.cpp.
+// To add an effect: write a file here that defines `EffectEntry NAME_effect()`, and name it in catalogue.cpp.
 
 #include <memory>
 #include <string>
@@ -17,38 +18,49 @@ namespace femsph {
 class Fields;
 struct MadeEffect;
 struct Motion;
+namespace scene_reader {
+struct Reading;
+}
 
-/// Entry::word is what `check` and the record list.
+/// One effect. Entry::word is its name in `femsph check` and in the run record.
 struct EffectEntry : Entry {
-  std::string asked_by = "";           ///< what of a scene asks for it: "[gravity]", "[[contacts]] friction"
-  bool (*on)(const Scene&) = nullptr;  ///< whether this scene does
-  /// It exchanges momentum with the outside: the sum over all bodies is then not kept.
+  std::string asked_by = "";  ///< the table or key that switches it on: "[gravity]", "[[contacts]] friction"
+  /// Whether a scene contains it.
+  bool (*on)(const Scene&) = nullptr;
+  /// It exchanges momentum with something outside of the bodies, so that the momentum of all bodies together
+  /// is not conserved.
   bool outside = false;
-  /// Place in the line "effects off" of `check`; 0: it is not listed there.
-  int rank_off = 100;
-  std::string word_off = "";                  ///< where several share one word there
-  bool (*named_off)(const Scene&) = nullptr;  ///< whether it is listed there; none: where it is not on
-  std::vector<std::string> (*words)(const Scene&) = nullptr;  ///< the words of one that goes by several
-  /// The march's part of it (effect.hpp); none: the work is done elsewhere (in a law, a discretization, the
-  /// kick). It is made where the effect is on, or, if `needed` is given, where that holds.
+
+  /// Its tables in a scene, with their keys; and the function that reads them from the top level of the file
+  /// into reading.scene. Both empty where the tables belong to another effect or to a body or material.
+  std::vector<KeyTable> tables = {};
+  void (*read)(Fields& root, scene_reader::Reading& reading) = nullptr;
+
+  /// Makes the part of it that the time loop calls (effect.hpp). Null where the work is done elsewhere: by a
+  /// law, by a discretization, or by the loop itself. Made where the effect is on; with `needed`, where that
+  /// holds.
   MadeEffect (*make)(Motion&) = nullptr;
   bool (*needed)(const Motion&) = nullptr;
-  /// Its own table of the scene (`keys` are those of that table), where the scene has no member for it.
-  std::string table = "";
-  std::shared_ptr<const EffectInput> (*read)(Fields& table, int dim) = nullptr;
+
+  /// The names to list where it is on; null: its word.
+  std::vector<std::string> (*words)(const Scene&) = nullptr;
+  /// Whether the line "effects off" of `femsph check` lists it; null: where it is not on.
+  bool (*off)(const Scene&) = nullptr;
+  bool listed_off = true;  ///< false: that line never lists it
 };
 
-/// All of them, in the order in which they are listed and do their work.
+/// All effects, in the order in which they are listed, read and called.
 const std::vector<EffectEntry>& effects();
 
-/// The words of those that a scene asks for; everything else costs nothing.
+/// Names of the effects that a scene contains.
 std::vector<std::string> effects_on(const Scene& scene);
-/// The words of the principal ones that it does not ask for.
+/// Names of the main effects that it does not contain.
 std::vector<std::string> effects_off(const Scene& scene);
-/// Whether something outside pushes on the bodies.
+/// Whether any effect of the scene exchanges momentum with something outside of the bodies.
 bool pushed_from_outside(const Scene& scene);
 
-/// What the table of an effect holds, as that effect has read it; null if the scene has no such table.
+/// The input of an effect that has no member of its own in Scene: its reader puts it into
+/// Scene::effect_inputs under the name of its table. Null if the scene does not have that table.
 template <class Input>
 const Input* input_of(const Scene& scene, const std::string& table) {
   const auto found = scene.effect_inputs.find(table);

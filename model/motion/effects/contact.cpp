@@ -5,16 +5,119 @@
 #include <algorithm>
 #include <limits>
 
+#include "model/scene/tables/reading.hpp"
+
 namespace femsph {
 
+namespace {
+
+using namespace scene_reader;
+
+KeyTable contact_keys() {
+  return {
+      "[[contacts]]",
+      "Contact between two bodies, or a bond between them.",
+      {{"between", key_holds::texts, "The names of the two bodies.", true},
+       {"kind", key_holds::words(std::vector<std::string>{"press", "tied"}),
+        "\"press\": the bodies may touch, slide and separate. \"tied\": surfaces that touch at the start "
+        "stay bonded. \"press\" unless given."},
+       {"stiffness", key_holds::number, "A factor above 0 on the default penalty stiffness. 1 unless given."},
+       {"friction", key_holds::number, "Coulomb's coefficient of friction. 0 unless given."},
+       {"name", key_holds::text,
+        "The name of its columns in the history: contact_NAME_force_x, .. BODY1-BODY2 unless given."}}};
+}
+
+std::optional<std::array<std::size_t, 2>> read_between(Fields& fields, const Reading& reading) {
+  const std::string expected = "two bodies, such as [\"weight\", \"beam\"]";
+  const auto given = fields.texts("between", Need::required, expected);
+  if (!given) return {};
+  if (given->size() != 2 || (*given)[0] == (*given)[1])
+    return fields.fault(
+               "between", fmt::format("\"between\" does not name two bodies; expected {}", expected)),
+           std::nullopt;
+  const std::vector<std::string> names = body_names(reading.scene);
+  if (names.empty()) return {};  // said where bodies are read
+  std::array<std::size_t, 2> between{};
+  for (int k = 0; k < 2; ++k) {
+    const auto found = std::find(names.begin(), names.end(), (*given)[k]);
+    if (found == names.end())
+      return fields.fault("between", fmt::format("unknown body {}; expected {}{}", in_quotes((*given)[k]),
+                                                 one_of(names), did_you_mean((*given)[k], names))),
+             std::nullopt;
+    between[k] = std::size_t(found - names.begin());
+  }
+  if (reading.scene.bodies[between[0]].rigid && reading.scene.bodies[between[1]].rigid)
+    return fields.fault("between", "both bodies are rigid; expected one at least that deforms"), std::nullopt;
+  return between;
+}
+
+std::string read_contact_name(Fields& fields, const Contact& contact, const Reading& reading) {
+  const auto& bodies = reading.scene.bodies;
+  const std::string standing = fmt::format(
+      "{}-{}", bodies[contact.between[0]].name, bodies[contact.between[1]].name);
+  const auto name = fields.text("name", Need::optional);
+  const std::string chosen = name.value_or(standing);
+  const auto same = [&](const Contact& other) { return other.name == chosen; };
+  if (!usable_name(chosen))
+    fields.fault(
+        "name",
+        fmt::format(
+            "the name {} cannot be used; expected letters, digits, _ and - (at most 64: it names columns)",
+            in_quotes(chosen)));
+  else if (std::any_of(reading.scene.contacts.begin(), reading.scene.contacts.end(), same))
+    fields.fault("name", fmt::format("the name {} is taken; expected a name that no other contact has",
+                                     in_quotes(chosen)));
+  return chosen;
+}
+
+void read_contacts(Fields& root, Reading& reading) {
+  for (Fields& fields : root.tables("contacts")) {
+    Contact contact;
+    contact.source = fields.source();
+    const auto between = read_between(fields, reading);
+    if (between) contact.between = *between;
+    contact.tied =
+        fields.choice<bool>("kind", Need::optional, {{"press", false}, {"tied", true}}).value_or(false);
+    if (contact.tied) {
+      for (const char* key : {"stiffness", "friction"})
+        if (fields.has(key))
+          fields.fault(key, fmt::format("\"{}\" in a contact of kind \"tied\", whose surfaces stay together; "
+                                        "expected it only without kind = \"tied\"",
+                                        key));
+      if (between &&
+          (reading.scene.bodies[contact.between[0]].rigid || reading.scene.bodies[contact.between[1]].rigid))
+        fields.fault("between",
+                     "one of two tied bodies is rigid; expected two that deform (a support holds a body to "
+                     "the ground)");
+    }
+    contact.stiffness = fields.number("stiffness", Need::optional, "a factor above 0").value_or(1);
+    if (!(contact.stiffness > 0))
+      fields.fault(
+          "stiffness", fmt::format("\"stiffness\" is {}; expected a factor above 0", contact.stiffness));
+    contact.friction = fields.number("friction", Need::optional, "a coefficient of 0 or more").value_or(0);
+    if (!(contact.friction >= 0))
+      fields.fault("friction",
+                   fmt::format("\"friction\" is {}; expected a coefficient of 0 or more", contact.friction));
+    if (between)
+      contact.name = read_contact_name(fields, contact, reading);
+    else
+      fields.text("name", Need::optional);
+    fields.done();
+    if (between) reading.scene.contacts.push_back(contact);
+  }
+}
+
+}  // namespace
+
 EffectEntry contact_effect() {
-  EffectEntry e{{"contact", "bodies that press on each other where they touch (a penalty)"}};
+  EffectEntry e{{"contact", "contact between bodies, by a penalty"}};
   e.asked_by = "[[contacts]]";
   e.on = [](const Scene& s) {
     return std::any_of(s.contacts.begin(), s.contacts.end(), [](const Contact& c) { return !c.tied; });
   };
-  e.rank_off = 7;
-  e.named_off = [](const Scene& s) { return s.contacts.empty(); };
+  e.off = [](const Scene& s) { return s.contacts.empty(); };
+  e.tables = {contact_keys()};
+  e.read = read_contacts;
   e.make = make_effect<ContactOfBodies>;
   return e;
 }

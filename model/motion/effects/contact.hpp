@@ -1,5 +1,5 @@
 #pragma once
-// Contact of bodies that press on each other: the pairs of a scene (contact_pair.hpp) as an effect.
+// Contact as an effect: all contacts of a scene that are not tied (contact_pair.hpp has one of them).
 
 #include <vector>
 

@@ -14,7 +14,8 @@ namespace femsph {
 ContactPair::ContactPair(const Scene& scene, const Contact& contact, const std::array<Party, 2>& parties,
                          const std::vector<MovingBody>& bodies)
     : scene_(scene), contact_(contact) {
-  constexpr double share = 0.25;  // of rho c^2 / d: a contact yields like four spacings of the softer body
+  constexpr double share =
+      0.25;  // of rho c^2 / d: the contact is as compliant as four spacings of the softer body
   kappa_ = spacing_ = std::numeric_limits<double>::infinity();
   double thickness = std::numeric_limits<double>::infinity();
   for (const Party& party : parties)
@@ -38,13 +39,14 @@ ContactPair::ContactPair(const Scene& scene, const Contact& contact, const std::
   skin_ = 0.3 * spacing_;
   depth_ = 0.5 * spacing_;
   overhang_ = 0.05 * spacing_;
-  slack_ = 1e-9 * spacing_;  // bodies that touch at the start do so up to rounding
+  slack_ = 1e-9 * spacing_;  // bodies that touch at the start do so only up to rounding errors
   for (int s = 0; s < 2; ++s) {
     if (parties[s].rigid) continue;
     const double mine = sides_[s].surface[0].facet_area(),
                  other = parties[1 - s].rigid ? 0.0 : sides_[1 - s].surface[0].facet_area();
     const double weight = parties[1 - s].rigid ? 1.0 : other / (mine + other);
-    passes_.push_back({s, weight, std::vector<Hold>(sides_[s].surface[0].point.size()), {}, {}, {}, {}});
+    passes_.push_back(
+        {s, weight, std::vector<PointHistory>(sides_[s].surface[0].point.size()), {}, {}, {}, {}});
   }
 }
 
@@ -63,9 +65,8 @@ double ContactPair::add_springs(std::size_t index, const MovingBody& body,
     if (side.party.index != index) continue;
     const Party& other = sides_[1 - pass.from].party;
     const Surface& surface = side.surface[0];
-    double bound =
-        4 *
-        pass.weight;  // 2 from this pass and 2 from the other, which loads no point more than this one does
+    double bound = 4 * pass.weight;  // theta = 1: 2 from this pass, 2 from the other, which loads no point
+                                     // more than this one
     if (other.rigid) {
       const RigidBody& rigid = rigids[other.index];
       double area = 0;
@@ -98,9 +99,11 @@ void ContactPair::add_forces(std::vector<MovingBody>& moving, std::vector<RigidB
     pass.forces.resize(pass.points.size());
     const auto look = [&](std::size_t begin, std::size_t end) {
       for (std::size_t k = begin; k < end; ++k)
-        pass.forces[k] = press(bodies, pass, k, pass.holds[pass.points[k]], step, step == 0 ? 0.0 : dt);
+        pass.forces[k] = force_on_point(
+            bodies, pass, k, pass.histories[pass.points[k]], step, step == 0 ? 0.0 : dt);
     };
-    parallel_for(pass.points.size(), 8, look, 16);  // one costs about as much as 16 particles of a plane body
+    parallel_for(pass.points.size(), 8, look,
+                 16);  // a point costs about as much as the forces of 16 particles of a plane body
   }
   for (const Pass& pass : passes_)
     for (std::size_t k = 0; k < pass.points.size(); ++k) apply(bodies, pass, k, step);
@@ -109,40 +112,42 @@ void ContactPair::add_forces(std::vector<MovingBody>& moving, std::vector<RigidB
     if (!side.party.rigid) side.surface[0].add_forces_to(moving[side.party.index]);
 }
 
-Stand ContactPair::stand(Bodies bodies, const Pass& pass, int piece, const Point& x) const {
+Projection ContactPair::project(Bodies bodies, const Pass& pass, int piece, const Point& x) const {
   const Side& other = sides_[1 - pass.from];
-  if (other.party.rigid) return bodies.rigid[other.party.index].stand(piece, x);
+  if (other.party.rigid) return bodies.rigid[other.party.index].project(piece, x);
   const Surface& surface = other.surface[0];
-  return stand_over(surface.dim, surface.corners(surface.facets[std::size_t(piece)]), x);
+  return project_onto_facet(surface.dim, surface.corners(surface.facets[std::size_t(piece)]), x);
 }
 
-bool ContactPair::choose(Bodies bodies, const Pass& pass, std::size_t k, Hold& hold, Stand& found) const {
+bool ContactPair::find_piece(Bodies bodies, const Pass& pass, std::size_t k, PointHistory& history,
+                             Projection& found) const {
   const Surface& own = sides_[pass.from].surface[0];
   const std::size_t p = pass.points[k];
-  if (hold.piece >= 0) {  // stay on a piece until the foot leaves it: normals do not jump at edges
-    found = stand(bodies, pass, hold.piece, own.now[p]);
-    if (found.beyond <= (hold.touches ? overhang_ : 1e-6 * spacing_)) return found.gap < -slack_;
+  if (history.piece >=
+      0) {  // a point keeps its piece until it has left it, so that normals do not jump at edges
+    found = project(bodies, pass, history.piece, own.now[p]);
+    if (found.beyond <= (history.touches ? overhang_ : 1e-6 * spacing_)) return found.gap < -slack_;
   }
   double nearest = std::numeric_limits<double>::infinity();
   for (int c = pass.begin[k]; c < pass.begin[k + 1]; ++c) {
-    const Stand s = stand(bodies, pass, pass.pieces[std::size_t(c)], own.now[p]);
+    const Projection s = project(bodies, pass, pass.pieces[std::size_t(c)], own.now[p]);
     const double distance = s.gap * s.gap + s.beyond * s.beyond;
     if (s.gap < -depth_ || distance >= nearest || dot(own.area[p], s.normal) > -0.1 * norm(own.area[p]))
       continue;
     nearest = distance;
     found = s;
-    hold.piece = pass.pieces[std::size_t(c)];
+    history.piece = pass.pieces[std::size_t(c)];
   }
   return nearest < std::numeric_limits<double>::infinity() && found.gap < -slack_ &&
          found.beyond <= overhang_;
 }
 
-ContactPair::PointForce ContactPair::press(Bodies bodies, const Pass& pass, std::size_t k, Hold& hold,
-                                           long step, double dt) const {
+ContactPair::PointForce ContactPair::force_on_point(Bodies bodies, const Pass& pass, std::size_t k,
+                                                    PointHistory& history, long step, double dt) const {
   const Surface& own = sides_[pass.from].surface[0];
   const std::size_t p = pass.points[k];
   PointForce on_point;
-  const bool inside = choose(bodies, pass, k, hold, on_point.at);
+  const bool inside = find_piece(bodies, pass, k, history, on_point.at);
   const double area = inside ? std::min(own.area_limit[p], -dot(own.area[p], on_point.at.normal)) : 0.0;
   on_point.depth = -on_point.at.gap - slack_;
   if (inside && step == 0 && on_point.depth > 1e-6 * spacing_) {
@@ -150,14 +155,14 @@ ContactPair::PointForce ContactPair::press(Bodies bodies, const Pass& pass, std:
   } else if (inside && on_point.depth > depth_) {
     on_point.kind = PointForce::Kind::too_deep;
   } else if (area <= 0) {
-    release(bodies, pass, p, hold, dt, on_point);
+    release(bodies, pass, p, history, dt, on_point);
   } else {
     const double stiffness = pass.weight * kappa_ * area, pressing = stiffness * on_point.depth;
     on_point.kind = PointForce::Kind::press;
     on_point.force = pressing * on_point.at.normal;
     on_point.stored = 0.5 * stiffness * on_point.depth * on_point.depth;
-    hold.touches = true;
-    if (contact_.friction > 0) rub(bodies, pass, p, hold, stiffness, pressing, dt, on_point);
+    history.touches = true;
+    if (contact_.friction > 0) add_friction(bodies, pass, p, history, stiffness, pressing, dt, on_point);
   }
   return on_point;
 }
@@ -182,43 +187,44 @@ void ContactPair::apply(Bodies bodies, const Pass& pass, std::size_t k, long ste
   ++touching_;
   own.force[p] = own.force[p] + on_point.force;
   force_ = force_ + (pass.from == 1 ? 1.0 : -1.0) * on_point.force;
-  react(bodies, pass, pass.holds[p].piece, on_point.at, own.now[p], on_point.force);
+  apply_reaction(bodies, pass, pass.histories[p].piece, on_point.at, own.now[p], on_point.force);
 }
 
-/// Force of friction on the point. The stretch follows the sliding; what goes beyond mu f / k is slip, which
-/// takes the mean of the old and the new pull times the slip (so the ledger closes).
-void ContactPair::rub(Bodies bodies, const Pass& pass, std::size_t p, Hold& hold, double k, double pressing,
-                      double dt, PointForce& on_point) const {
+/// Adds the friction force. The stretch of the spring follows the sliding motion; the part beyond mu f / k is
+/// slip. Slip dissipates its length times the mean of the old and the new spring force, with which the energy
+/// balance closes.
+void ContactPair::add_friction(Bodies bodies, const Pass& pass, std::size_t p, PointHistory& history,
+                               double k, double pressing, double dt, PointForce& on_point) const {
   const Side &own = sides_[pass.from], &other = sides_[1 - pass.from];
-  const Stand& at = on_point.at;
+  const Projection& at = on_point.at;
   Point sliding = own.surface[0].velocity(bodies.moving[own.party.index], p);
   if (other.party.rigid) {
     sliding = sliding - bodies.rigid[other.party.index].velocity_at(own.surface[0].now[p]);
   } else {
     const Surface& surface = other.surface[0];
-    const Facet& f = surface.facets[std::size_t(hold.piece)];
+    const Facet& f = surface.facets[std::size_t(history.piece)];
     for (int c = 0; c < 2 * (surface.dim - 1); ++c)
       sliding = sliding - at.share[c] * surface.velocity(bodies.moving[other.party.index], f.points[c]);
   }
-  Point stretch = hold.stretch + dt * sliding;
+  Point stretch = history.stretch + dt * sliding;
   stretch = stretch - dot(stretch, at.normal) * at.normal;
   const Point trial = stretch;
   const double length = norm(trial), most = contact_.friction * pressing;
   if (k * length > most) stretch = (most / (k * length)) * trial;
   const Point pull = k * stretch;
-  on_point.slip += 0.5 * dot(hold.pull + pull, trial - stretch);
-  hold.stretch = stretch;
-  hold.pull = pull;
+  on_point.slip += 0.5 * dot(history.pull + pull, trial - stretch);
+  history.stretch = stretch;
+  history.pull = pull;
   on_point.stored += 0.5 * dot(pull, stretch);
   on_point.force = on_point.force - pull;
 }
 
-/// The opposite of `force`, which acts at x: on a rigid body there, on a facet at the foot. What x lies
-/// beside the foot's line of force (friction acts a depth g below the facet) is a moment m = (x - foot) x
-/// force; forces c_a n on the facet's points restore it, with sum c_a = 0 and sum c_a (x_a x n) = m, least in
-/// square.
-void ContactPair::react(Bodies bodies, const Pass& pass, int piece, const Stand& at, const Point& x,
-                        const Point& force) {
+/// Applies the opposite of `force`, which acts at x, to the other body: at x on a rigid body, at the foot on
+/// a facet. The shift from x to the foot would lose the moment m = (x - foot) x force, which is not zero with
+/// friction. Forces c_a n on the points of the facet add it: those with sum c_a = 0 and sum c_a (x_a x n) = m
+/// whose sum of squares is least.
+void ContactPair::apply_reaction(Bodies bodies, const Pass& pass, int piece, const Projection& at,
+                                 const Point& x, const Point& force) {
   Side& other = sides_[1 - pass.from];
   if (other.party.rigid) return bodies.rigid[other.party.index].push(x, -1.0 * force);
   Surface& surface = other.surface[0];
@@ -248,23 +254,23 @@ void ContactPair::react(Bodies bodies, const Pass& pass, int piece, const Stand&
                                  dot(slope, surface.now[f.points[c]] - middle) * at.normal;
 }
 
-/// A point that lifts off slips by all that its friction spring still held.
-void ContactPair::release(Bodies bodies, const Pass& pass, std::size_t p, Hold& hold, double dt,
+/// A point that lifts off slips by the whole remaining stretch of its friction spring.
+void ContactPair::release(Bodies bodies, const Pass& pass, std::size_t p, PointHistory& history, double dt,
                           PointForce& on_point) const {
-  if (dot(hold.pull, hold.pull) > 0) {
-    on_point.at = stand(bodies, pass, hold.piece, sides_[pass.from].surface[0].now[p]);
-    rub(bodies, pass, p, hold, kappa_, 0, dt, on_point);
+  if (dot(history.pull, history.pull) > 0) {
+    on_point.at = project(bodies, pass, history.piece, sides_[pass.from].surface[0].now[p]);
+    add_friction(bodies, pass, p, history, kappa_, 0, dt, on_point);
   }
-  hold = {hold.piece};
+  history = {history.piece};
 }
 
-/// Forces and depths of now follow from the points; what points remember and which pieces they look at does
+/// The present forces and depths follow from the positions; the histories and the lists of near pieces do
 /// not.
 void ContactPair::state(Archive& archive) {
   archive("next_search", next_search_);
   archive("friction_loss", loss_);
   archive("deepest", deepest_);
-  archive("touching", touching_);  // the next step looks whether anything did
+  archive("touching", touching_);  // the next step compares with it
   for (std::size_t s = 0; s < sides_.size(); ++s)
     for (Surface& surface : sides_[s].surface)
       archive.below("side_" + std::to_string(s), [&] {
@@ -278,10 +284,10 @@ void ContactPair::state(Archive& archive) {
       archive("points", pass.points);
       archive("begin", pass.begin);
       archive("pieces", pass.pieces);
-      archive.each("piece", pass.holds, &Hold::piece);
-      archive.each("touches", pass.holds, &Hold::touches);
-      archive.each("stretch", pass.holds, &Hold::stretch);
-      archive.each("pull", pass.holds, &Hold::pull);
+      archive.each("piece", pass.histories, &PointHistory::piece);
+      archive.each("touches", pass.histories, &PointHistory::touches);
+      archive.each("stretch", pass.histories, &PointHistory::stretch);
+      archive.each("pull", pass.histories, &PointHistory::pull);
     });
 }
 

@@ -1,5 +1,5 @@
-// Which points are near which facets. Done when something may have moved by more than the skin since the last
-// time.
+// The search for the facets near each point. It is repeated when something may have moved by more than the
+// skin since the last search.
 
 #include <fmt/format.h>
 
@@ -49,13 +49,14 @@ void ContactPair::search(Bodies bodies, long step, double dt) {
     }
     side.surface[0].move_all(bodies.moving[side.party.index]);
     side.surface[0].measure();
-    // A wave may set things in motion before the next search: nothing counts as slower than c / 200.
+    // A wave may accelerate a point before the next search, so no body counts as slower than c / 200.
     fastest += std::max(side.surface[0].fastest(bodies.moving[side.party.index]), wave_speed_ / 200);
   }
   if (step == 0) refuse_overlap(bodies);
   for (Pass& pass : passes_) search(bodies, pass);
   mark_active();
-  next_search_ = step + std::max(1L, long(skin_ / (2 * fastest * dt)));
+  const double steps = skin_ / (2 * fastest * dt);  // infinite before the first step, whose dt is 0
+  next_search_ = step + (std::isfinite(steps) ? std::max(1L, long(steps)) : 1L);
 }
 
 void ContactPair::search(Bodies bodies, Pass& pass) {
@@ -94,12 +95,12 @@ void ContactPair::search(Bodies bodies, Pass& pass) {
     std::vector<int>& list = pass.pieces;
     const std::size_t first = list.size();
     const auto take = [&](int piece) {
-      const Stand s = stand(bodies, pass, piece, own.now[p]);
+      const Projection s = project(bodies, pass, piece, own.now[p]);
       if (std::abs(s.gap) <= reach && s.beyond <= skin_ + overhang_ && dot(own.area[p], s.normal) < 0)
         list.push_back(piece);
     };
     if (!holds(near, own.now[p])) {
-      pass.holds[p] = {};
+      pass.histories[p] = {};
       continue;
     }
     if (other.party.rigid) {
@@ -111,7 +112,7 @@ void ContactPair::search(Bodies bodies, Pass& pass) {
       });
     }
     if (list.size() == first) {
-      pass.holds[p] = {};
+      pass.histories[p] = {};
       continue;
     }
     pass.points.push_back(p);
@@ -133,10 +134,10 @@ void ContactPair::mark_active() {
           for (int c = 0; c < 2 * (surface.dim - 1); ++c)
             used[surface.facets[std::size_t(piece)].points[c]] = 1;
       if (pass.from == s) continue;
-      for (const std::size_t k : pass.points)  // and what is held from before
-        if (pass.holds[k].piece >= 0)
+      for (const std::size_t k : pass.points)  // pieces that points have kept from before
+        if (pass.histories[k].piece >= 0)
           for (int c = 0; c < 2 * (surface.dim - 1); ++c)
-            used[surface.facets[std::size_t(pass.holds[k].piece)].points[c]] = 1;
+            used[surface.facets[std::size_t(pass.histories[k].piece)].points[c]] = 1;
     }
     surface.active.clear();
     for (std::size_t p = 0; p < used.size(); ++p)
@@ -144,7 +145,7 @@ void ContactPair::mark_active() {
   }
 }
 
-/// Facets tell of an overlap only near them; this finds any.
+/// The search for near facets finds only shallow overlaps; this finds all.
 void ContactPair::refuse_overlap(Bodies bodies) const {
   const double tolerance = 1e-6 * spacing_;
   const int first = sides_[0].party.rigid ? 1 : 0;  // one that deforms

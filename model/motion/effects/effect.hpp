@@ -1,9 +1,10 @@
 #pragma once
-// What an effect does for the march: its hooks. A march holds those effects that its scene asks for, and
-// calls in every step only the hooks that they override. An effect includes this and not march.hpp; the march
-// includes this and no single effect.
+// The interface between the time loop (march.hpp) and the effects of a scene. The loop holds the effects that
+// its scene contains, and in every step calls only those functions ("hooks") that an effect overrides. An
+// effect includes this header and not march.hpp; the loop includes this header and no single effect.
 //
-// The constructor of an effect sets it up: it finds its points, and throws MotionError or InputError.
+// The constructor of an effect sets it up: it finds its nodes or particles ("points"), and throws MotionError
+// or InputError.
 
 #include <functional>
 #include <string>
@@ -22,72 +23,77 @@ class Effect {
  public:
   virtual ~Effect() = default;
 
-  // Once, at t = 0, when the forces are known: u(0) is set, v holds v(0) (and 0 before the first effect).
-  /// Adds to the velocities v(0) of bodies that deform, and to those of rigid ones.
+  // Once, at t = 0, when the forces are known. u is u(0); v is v(0), which start() of each effect adds to,
+  // from 0.
+  /// Adds initial velocities, of deformable and of rigid bodies.
   virtual void start(Motion&) {}
-  /// After all these: corrects them so that a constraint holds.
+  /// Then: corrects the initial velocities so that a constraint holds.
   virtual void constrain_start(Motion&) {}
-  /// The bodies are strained at t = 0: what that has stored belongs to the energy at the start.
+  /// Whether it strains the bodies at t = 0. The energy that this stores belongs to the initial energy.
   virtual bool strains_the_start() const { return false; }
 
-  // In every step, in this order. Forces go to MovingBody::f and RigidBody::push().
-  /// What the outside does to one body at u(n), v(n-1/2).
+  // In every step, in this order. Forces (N) are added to MovingBody::f and by RigidBody::push().
+  /// External forces on one body at u(n), v(n-1/2).
   virtual void push_body(const Motion&, MovingBody&) {}
   virtual void push_rigid(const Motion&, RigidBody&) {}
-  /// What bodies do to each other.
+  /// Forces between bodies.
   virtual void push_between(Motion&) {}
-  /// Forces that answer to all others, so that a constraint holds.
+  /// Forces that maintain a constraint; all other forces are known.
   virtual void constrain(Motion&) {}
-  /// Reactions of driven components, when all forces are known.
+  /// Reactions of components with prescribed motion, when all forces are known.
   virtual void find_reactions(Motion&) {}
-  /// When v is v(n+1/2) and u is u(n+1): sets what is driven. Adds what damping and viscosity take (J).
+  /// When v is v(n+1/2) and u is u(n+1): sets the components with prescribed motion. Adds the energy (J) that
+  /// damping and viscosity dissipate there.
   virtual void after_kick(const Motion&, MovingBody&, double& /*damping*/, double& /*viscosity*/) {}
   /// Adds the work (J) of push_body() over the step from n to n+1, whose v(n+1/2) is known.
   virtual void work_on_body(const Motion&, const MovingBody&, double& /*work*/) const {}
   virtual void work_on_rigid(const Motion&, const RigidBody&, double& /*work*/) const {}
-  /// Adds half a step's work (J) of the reactions of driven components, at v of now.
+  /// Adds the work (J) of the reactions of prescribed components over half a step at the present v.
   virtual void reaction_work(const Motion&, double& /*work*/) const {}
 
-  // Before the first step, for the critical one.
-  /// Adds springs to ground (flat, N/m) that bound the stiffness of the effect on body `index`; returns the
-  /// largest step (s) that it allows by itself. `frequency2` (1/s^2) is the largest of the body alone.
+  // Before the first step, for the critical time step.
+  /// Adds to `springs` (N/m, one for each entry of a flat vector) springs to ground that bound the stiffness
+  /// of the effect on deformable body `index` from above; returns the largest step (s) that the effect allows
+  /// by itself. `frequency2` is the square of the largest angular frequency (1/s^2) of the body without the
+  /// effect.
   virtual double add_springs(const Motion&, std::size_t /*index*/, double /*frequency2*/,
                              AlignedVector<double>& /*springs*/) const;
 
-  // At samples and looks.
-  /// What it stores and what it has taken, J.
+  // When a sample is taken, and when the loop checks the run.
+  /// Adds the energy (J) that it stores now and that it has dissipated so far.
   virtual void add_energies(Ledger&) const {}
-  /// What it carries from step to step beyond u and v, for a run that is taken up again.
+  /// Saves or restores what it carries from step to step besides u and v, so that a run can be resumed.
   virtual void state(Archive&) {}
-  /// How many points touch something: when the first do, the march looks at its step at once.
+  /// How many points are in contact. When the first are, the loop checks its time step at once.
   virtual std::size_t touching() const { return 0; }
-  /// Bodies can come apart or meet: a displacement may be a fall, and forces act where bodies are.
+  /// Whether bodies can meet or separate. Then a displacement may be rigid-body motion.
   virtual bool bodies_may_part() const { return false; }
-  /// What it does from outside changes after the time t (s), whatever the bodies do.
+  /// Whether its external forces still change after the time t (s), independently of the motion.
   virtual bool changes_after(double) const { return false; }
 
   using TakeForce = std::function<void(std::size_t point, const Point& force)>;
   /// Each force (N) of push_body() on a body, now.
   virtual void each_force(const Motion&, const MovingBody&, const TakeForce&) const {}
-  /// N: the sum of these less the total that the scene gives for the body.
+  /// N: the sum of these forces minus the total that the scene gives for the body.
   virtual Point excess_force(const Motion&, const MovingBody&) const { return {}; }
-  /// N: what push_rigid() adds to the centre, each part of it.
+  /// Each force (N) that push_rigid() adds at the centre of a rigid body.
   virtual void each_force_on_rigid(const Motion&, const RigidBody&,
                                    const std::function<void(const Point&)>&) const {}
-  /// Adds the sum of their magnitudes (N): what a force out of balance is measured by.
+  /// Adds the sum of the magnitudes (N) of these forces, as the scale for forces out of balance.
   virtual void size_on_body(const Motion&, const MovingBody&, double& /*sum*/) const {}
   virtual void size_on_rigid(const Motion&, const RigidBody&, double& /*sum*/) const {}
-  /// Each force of a support that is not the reaction of a held component.
+  /// Each force (N) of a support that is not the reaction of a fixed component.
   virtual void each_reaction(const Motion&, const MovingBody&,
                              const std::function<void(std::size_t slot, double)>&) const {}
-  /// Puts the forces (N) of contacts, of the first body on the second, where Scene::contacts has them.
+  /// Sets the entries of its contacts: the force (N) of the first body on the second, in the order of
+  /// Scene::contacts.
   virtual void contact_forces(std::vector<Point>&) const {}
-  /// Lines for `check` and the run record: what, and its value.
+  /// Lines for `femsph check` and the run record: a name and a value each.
   virtual void describe(const Motion&, std::vector<std::pair<std::string, std::string>>&) const {}
   virtual std::size_t bytes() const { return 0; }
 };
 
-/// Hooks of every step.
+/// The hooks that are called in every step, and add_springs.
 enum class Hook {
   push_body,
   push_rigid,
@@ -105,13 +111,13 @@ enum class Hook {
 class EffectList {
  public:
   EffectList() = default;
-  explicit EffectList(Motion& motion);  ///< those that its scene asks for
+  explicit EffectList(Motion& motion);  ///< the effects of its scene
   using Some = std::vector<Effect*>;
   const Some& all() const { return all_; }
   /// Those that override the hook.
   const Some& with(Hook hook) const { return with_[std::size_t(hook)]; }
-  bool bodies_may_part() const;  ///< by one of them at least
-  /// The effect of this type; null if the scene does not ask for it.
+  bool bodies_may_part() const;  ///< because of at least one of them
+  /// The effect of this type; null if the scene does not contain it.
   template <class E>
   const E* find() const {
     for (const Effect* effect : all_)
@@ -125,7 +131,8 @@ class EffectList {
   std::array<Some, 10> with_;
 };
 
-/// An effect of type E, and which hooks E overrides (a member of E itself has another type than Effect's).
+/// A new effect, and a bit for each hook that its class overrides. (A member function of E itself has another
+/// type than that of Effect.)
 struct MadeEffect {
   std::unique_ptr<Effect> effect{};
   unsigned hooks = 0;

@@ -5,17 +5,21 @@
 #include "model/numerics/parallel.hpp"
 #include "model/numerics/simd.hpp"
 #include "model/numerics/vectors.hpp"
+#include "model/scene/tables/reading.hpp"
 
 namespace femsph {
 
 namespace {
 
+using namespace scene_reader;
+
 constexpr std::size_t chunk = 4096;  ///< points, as in parallel_sum; a multiple of `lanes`
-/// A point costs a tenth of a particle or so: fewer than this are not worth a fork.
+/// A point takes about a tenth of the time of a particle's forces. For fewer points than this, starting the
+/// threads costs more than it saves.
 constexpr std::size_t points_for_one_thread = 4 * serial_below;
 
-/// The two layouts there are, with strides that the compiler knows: components side by side (FEM), or a row
-/// for each (SPH).
+/// The two layouts of flat vectors, with strides that the compiler knows: the components of a point side by
+/// side (FEM), or one row for each component (SPH).
 template <int dim>
 struct SideBySide {
   std::size_t first;
@@ -37,7 +41,7 @@ auto with_strides(const Layout& at, Body&& body) {
   return body.template operator()<3>(Rows<3>{at.offset, at.component_stride});
 }
 
-/// Eight sums side by side, so that no addition waits for the one before.
+/// Eight independent sums, so that no addition waits for the one before.
 template <int dim, class Strides>
 double power(const Strides at, const double* __restrict m, const Point& g, const double* __restrict v,
              std::size_t begin, std::size_t end) {
@@ -54,6 +58,24 @@ double power(const Strides at, const double* __restrict m, const Point& g, const
   double all = 0;
   for (const double part : sum) all += part;
   return all;
+}
+
+KeyTable gravity_keys() {
+  return {"[gravity]",
+          "The acceleration of gravity, for all bodies.",
+          {{"acceleration", key_holds::vector(dimension::acceleration),
+            "Its components, such as [\"0 m/s^2\", \"-9.81 m/s^2\"].", true}}};
+}
+
+void read_gravity(Fields& root, Reading& reading) {
+  auto gravity = root.table(
+      "gravity", Need::optional, "a table with acceleration = [\"0 m/s^2\", \"-9.81 m/s^2\"] or the like");
+  if (!gravity) return;
+  const auto acceleration = gravity->vector(
+      "acceleration", Need::required, dimension::acceleration, reading.dim);
+  if (acceleration && *acceleration != Point{})
+    reading.scene.gravity = acceleration;  // zero is no gravity: it costs nothing
+  gravity->done();
 }
 
 }  // namespace
@@ -86,7 +108,7 @@ double power_of_weight(const Layout& layout, std::span<const double> mass, const
   });
 }
 
-/// A rigid body carries its weight by itself.
+/// A rigid body adds its weight itself (RigidBody::begin_forces).
 Gravity::Gravity(Motion& motion) : g_(*motion.scene.gravity) {
   for (RigidBody& body : motion.rigid) body.gravity = g_;
 }
@@ -115,11 +137,12 @@ void Gravity::size_on_body(const Motion&, const MovingBody& body, double& sum) c
 }
 
 EffectEntry gravity_effect() {
-  EffectEntry e{{"gravity", "a body force m g on every point"}};
+  EffectEntry e{{"gravity", "the weight m g of every node or particle"}};
   e.asked_by = "[gravity]";
   e.on = [](const Scene& s) { return s.gravity.has_value(); };
+  e.tables = {gravity_keys()};
+  e.read = read_gravity;
   e.outside = true;
-  e.rank_off = 8;
   e.make = make_effect<Gravity>;
   return e;
 }

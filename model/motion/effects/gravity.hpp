@@ -1,5 +1,5 @@
 #pragma once
-// The body force of gravity, in one pass over a body's points each: its weight, and what it gains.
+// Gravity: the weight of the bodies and its work.
 
 #include <span>
 
@@ -7,11 +7,11 @@
 
 namespace femsph {
 
-/// f += m g
+/// f += m g, for every point. `f` is a flat vector (N) of layout `at`.
 void add_weight(const Layout& at, std::span<const double> mass, const Point& g, double* f);
 
-/// sum_i m_i v_i . g, W: the power of the weight in motion v. The same to the last bit for any number of
-/// threads.
+/// The power sum_i m_i v_i . g (W) of the weight at the velocities `v` (m/s, flat). The same to the last bit
+/// for any number of threads.
 double power_of_weight(const Layout& at, std::span<const double> mass, const Point& g, const double* v);
 
 class Gravity : public Effect {

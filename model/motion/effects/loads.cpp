@@ -6,15 +6,57 @@
 #include <cmath>
 
 #include "model/numerics/vectors.hpp"
+#include "model/scene/tables/reading.hpp"
 
 namespace femsph {
+namespace {
+
+using namespace scene_reader;
+
+KeyTable load_keys() {
+  return {"[[loads]]", "A force on a place, or a pressure on a side.",
+          place_keys({{"force", key_holds::vector(dimension::force),
+                       "The total force; it is distributed over the nodes or particles of the place.", false,
+                       "unless \"pressure\" is given"},
+                      {"pressure", key_holds::quantity(dimension::pressure),
+                       "Instead of a force: the pressure on one side, positive inwards, on its undeformed "
+                       "area. Only with motion = \"small\"."},
+                      history_key("the load")})};
+}
+
+void read_loads(Fields& root, Reading& reading) {
+  for (Fields& fields : root.tables("loads")) {
+    const auto place = read_place(fields, reading);
+    const bool by_pressure = fields.has("pressure");
+    const auto force = fields.vector(
+        "force", by_pressure ? Need::optional : Need::required, dimension::force, reading.dim);
+    const auto pressure = fields.quantity("pressure", Need::optional, dimension::pressure);
+    const auto history = read_history(fields);
+    fields.done();
+    if (by_pressure && force)
+      fields.fault("pressure", "both \"force\" and \"pressure\"; expected one of them");
+    const bool shape_known =
+        place && reading.scene.bodies[place->body].shape;  // with a faulty shape its sides are not known
+    if (by_pressure && place && (shape_known || place->point) && place->sides.size() != 1)
+      fields.fault("pressure", "\"pressure\" needs one side of a body; expected at = \"x+\" or the like");
+    if (by_pressure && reading.scene.large_motion)
+      fields.fault(
+          "pressure", "\"pressure\" follows no large motion; expected motion = \"small\", or a \"force\"");
+    if (place && (force || pressure) && history)
+      reading.scene.loads.push_back({*place, force.value_or(Point{}), *history, pressure.value_or(0)});
+  }
+}
+
+}  // namespace
 
 EffectEntry loads_effect() {
-  EffectEntry e{{"loads", "forces on a place, or a pressure on a side, that follow a history in time"}};
+  EffectEntry e{{"loads", "a force on a place or a pressure on a side, times a history"}};
   e.asked_by = "[[loads]]";
   e.on = [](const Scene& s) { return !s.loads.empty(); };
+  e.tables = {load_keys(), history_keys("[loads.history]", "a load")};
+  e.read = read_loads;
   e.outside = true;
-  e.rank_off = 0;
+  e.listed_off = false;
   e.make = make_effect<Loads>;
   return e;
 }
@@ -86,7 +128,7 @@ void Loads::work_on_rigid(const Motion& motion, const RigidBody& body, double& w
 bool Loads::changes_after(double t) const {
   return std::any_of(scene_.loads.begin(), scene_.loads.end(), [&](const Load& load) {
     const TimeHistory& h = load.history;
-    double last = 0;  // change of the history
+    double last = 0;  // s: the last change of the history
     for (std::size_t k = 1; k < h.factor.size(); ++k)
       if (h.factor[k] != h.factor[k - 1]) last = h.time[k];
     return last > t;
@@ -103,7 +145,7 @@ void Loads::each_force(const Motion& motion, const MovingBody& body, const TakeF
 }
 
 Point Loads::excess_force(const Motion& motion, const MovingBody& body) const {
-  Point more{};  // than the total
+  Point more{};  // than the total of the scene
   for (const NodalLoad& load : on(motion, body))
     if (scene_.loads[load.load].pressure == 0) {
       Point f{};

@@ -1,6 +1,6 @@
 #pragma once
-// Forces on places, shared out to points once; a pressure as the forces that it exerts on the area that the
-// boundary has at the start.
+// Loads. Total forces are distributed over the points of their places once, when the effect is made; so is a
+// pressure, over the undeformed boundary.
 
 #include <vector>
 
@@ -12,11 +12,11 @@ class Loads : public Effect {
  public:
   explicit Loads(Motion& motion);
   struct NodalLoad {
-    std::size_t slot;  ///< of the flat arrays
-    double force;      ///< N at factor 1
+    std::size_t slot;  ///< index of the component in the flat vectors
+    double force;      ///< N, at a factor of 1 of the history
     std::size_t load;  ///< index into Scene::loads
   };
-  /// Of one of the march's deformable bodies.
+  /// The loads on one of the deformable bodies.
   const std::vector<NodalLoad>& on(const Motion& motion, const MovingBody& body) const {
     return nodal_[std::size_t(&body - motion.bodies.data())];
   }
@@ -38,7 +38,7 @@ class Loads : public Effect {
   void share_out_pressure(const Motion& motion, const MovingBody& body, std::size_t load);
 
   const Scene& scene_;
-  std::vector<std::vector<NodalLoad>> nodal_;  ///< of each deformable body
+  std::vector<std::vector<NodalLoad>> nodal_;  ///< for each deformable body
 };
 
 }  // namespace femsph

@@ -32,11 +32,11 @@ void MeanSupports::place(const Motion& motion, MovingBody& body, const Support& 
                                  "one at {}:{}:{} moves points; expected places that do not meet",
                                  "xyz"[c], body.name, scene.file, other.line, other.column)}});
         }
-      if (body.inverse_mass[slot] == 0) continue;  // held by a support of its own
+      if (body.inverse_mass[slot] == 0) continue;  // fixed by another support
       if (std::find(body.constrained.begin(), body.constrained.end(), slot) != body.constrained.end())
         throw MotionError(fmt::format(
-            "{}:{}:{}: two supports with mode = \"mean\" share a point of body \"{}\"; keep "
-            "their places apart",
+            "{}:{}:{}: two supports with mode = \"mean\" share a point of body \"{}\"; keep their places "
+            "apart",
             scene.file, support.place.source.line, support.place.source.column, body.name));
       hold.slots.push_back(slot);
       hold.weights.push_back(w.weight);
@@ -46,7 +46,7 @@ void MeanSupports::place(const Motion& motion, MovingBody& body, const Support& 
   }
 }
 
-/// A held mean starts at rest.
+/// A fixed mean starts at rest.
 void MeanSupports::constrain_start(Motion& motion) {
   for (const MeanHold& hold : holds_) {
     MovingBody& body = motion.bodies[hold.body];

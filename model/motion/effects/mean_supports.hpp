@@ -1,10 +1,10 @@
 #pragma once
-// Supports that hold the weighted mean over a place, so that the place may turn: sum_i w_i u_i = 0, by the
-// forces R w_i.
+// Supports that fix the weighted mean displacement of a place, sum_i w_i u_i = 0, so that the place can
+// rotate. The reaction is a force R w_i on each point i of the place.
 //
-// A mean that stands still stays still if sum_i w_i f_i / m_i = 0: f_i += R w_i with
+// A mean at rest stays at rest if sum_i w_i f_i / m_i = 0. This holds with f_i += R w_i and
 //   R = -(sum w f/m) / (sum w^2/m).
-// These forces do no work, since sum_i w_i v_i = 0 at every half step.
+// The reaction does no work, since sum_i w_i v_i = 0 at every half step.
 
 #include <vector>
 
@@ -14,15 +14,15 @@ namespace femsph {
 
 class MeanSupports : public Effect {
  public:
-  /// After hold_components(): a held component takes no part.
+  /// Call it after hold_components(): a component that another support fixes takes no part.
   explicit MeanSupports(Motion& motion);
-  /// A component whose mean is held.
+  /// One component whose mean is fixed.
   struct MeanHold {
-    std::size_t body;  ///< of the march's deformable bodies
+    std::size_t body;  ///< index among the deformable bodies
     std::vector<std::size_t> slots;
     std::vector<double> weights;
     double inverse_mass = 0;  ///< sum_i w_i^2 / m_i, 1/kg
-    double reaction = 0;      ///< R, N, now
+    double reaction = 0;      ///< R at the present step, N
   };
   const std::vector<MeanHold>& holds() const { return holds_; }
 

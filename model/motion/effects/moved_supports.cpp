@@ -1,15 +1,16 @@
-// Supports that move, or that stop points which are in motion at the start.
+// Supports with a prescribed velocity, and supports that stop points which [[initial]] has given a velocity.
 //
-// A driven component goes from v- to v+ = V h(t(n+1/2)), whatever acts on it. As of any other component m (v+
-// - keep v-) / push = f + R, with R the reaction: what accelerates the point's own mass (and overcomes its
-// damping) is in it, and the sum of R over the steps is the change of momentum of the whole body, exactly.
-// Over a step the reaction does the work 1/2 dt v(n+1/2) (R(n) + R(n+1)), which closes the ledger (see
-// March::kinetic).
+// The velocity of a prescribed component goes from v- to v+ = V h(t(n+1/2)), with V the velocity of the
+// support and h its history, whatever forces act. Its equation of motion, m (v+ - keep v-) / push = f + R
+// with keep and push as in Leap, gives the reaction R. So R includes the force that accelerates the mass of
+// the point itself and that overcomes its damping, and the sum of R over the steps is exactly the change of
+// momentum of the body. The work of the reaction over a step is 1/2 dt v(n+1/2) (R(n) + R(n+1)); with it the
+// energy balance closes (see March::kinetic).
 //
-// At t = 0 the point has the velocity v(0) that [[initial]] gives its body, like every other: v(-1/2) = 2
-// v(0) - v(+1/2). If the support then moves at another speed the reaction of that instant is an impulse, m
-// (v(+1/2) - v(0)) in the half step before t = 0 and as much again in the one after: by the trapezoidal rule,
-// in which the first row of a history counts for half a step, it is m (v(+1/2) - v(0)).
+// At t = 0 the point has the velocity v(0) that [[initial]] gives its body, so v(-1/2) = 2 v(0) - v(+1/2). If
+// the support moves with another velocity, the reaction at t = 0 contains an impulse: m (v(+1/2) - v(0)) in
+// the half step before t = 0, and the same in the half step after it. The trapezoidal rule over a history, in
+// which the first row counts for half a step, gives the impulse m (v(+1/2) - v(0)).
 
 #include <algorithm>
 
@@ -38,12 +39,12 @@ class MovedSupports : public Effect {
 
   void after_kick(const Motion& motion, MovingBody& body, double& damping, double& viscosity) override {
     for (const MovingBody::Driven& d : body.driven) {
-      double& v = body.v[d.slot];  // from the kick, which has moved the point by dt v
+      double& v = body.v[d.slot];  // set by the kick, which has also moved the point by dt v
       const double mean = 0.5 * (d.before + d.after);
       damping += motion.damping_rate * motion.dt * d.mass * mean * mean;
       if (!body.viscous.empty())
         viscosity -= motion.dt * body.viscous[d.slot] *
-                     (mean - 0.5 * (d.before + v));  // the kick has counted the latter
+                     (mean - 0.5 * (d.before + v));  // the kick has counted the second mean
       body.u[d.slot] += motion.dt * (d.after - v);
       v = d.after;
     }
@@ -58,14 +59,14 @@ class MovedSupports : public Effect {
 }  // namespace
 
 EffectEntry moved_supports_effect() {
-  EffectEntry e{{"moved supports", "held displacements that follow a velocity in time"}};
+  EffectEntry e{{"moved supports", "prescribed velocities"}};
   e.asked_by = "[[supports]] velocity";
   e.on = [](const Scene& s) {
     return std::any_of(s.supports.begin(), s.supports.end(),
                        [](const Support& support) { return support.velocity != Point{}; });
   };
   e.outside = true;
-  e.rank_off = 0;
+  e.listed_off = false;
   e.make = make_effect<MovedSupports>;
   e.needed = [](const Motion& m) {
     return std::any_of(

@@ -4,8 +4,9 @@
 
 namespace femsph {
 
-/// Fills MovingBody::held and ::driven by the scene's supports and symmetry planes, and sets the inverse mass
-/// of held components to 0. Throws InputError where two supports want different motions of a component.
+/// Fills MovingBody::held and MovingBody::driven from the supports and symmetry planes of the scene, and sets
+/// the inverse mass of held components to 0. Throws InputError where two supports prescribe different motions
+/// of one component.
 void hold_components(Motion& motion);
 
 }  // namespace femsph

@@ -7,12 +7,12 @@
 namespace femsph {
 
 EffectEntry tied_bodies_effect() {
-  EffectEntry e{{"tied bodies", "bodies bonded where they touch at the start"}};
+  EffectEntry e{{"tied bodies", "bodies that are bonded where they touch at the start"}};
   e.asked_by = "[[contacts]] kind = \"tied\"";
   e.on = [](const Scene& s) {
     return std::any_of(s.contacts.begin(), s.contacts.end(), [](const Contact& c) { return c.tied; });
   };
-  e.rank_off = 0;
+  e.listed_off = false;
   e.make = make_effect<TiedBodies>;
   return e;
 }

@@ -1,5 +1,5 @@
 #pragma once
-// Bodies bonded where they touch at the start: the ties of a scene (ties.hpp) as an effect.
+// Tied bodies as an effect (ties.hpp has the equations).
 
 #include "model/motion/effects/effect.hpp"
 #include "model/motion/effects/ties.hpp"
@@ -11,7 +11,7 @@ class TiedBodies : public Effect {
   explicit TiedBodies(Motion& motion) : scene_(motion.scene), ties_(motion.scene, motion.bodies) {}
   const Ties& ties() const { return ties_; }
 
-  /// Bodies that start at different speeds lose what matching them at the bond takes.
+  /// Bodies that start with different velocities lose energy when these are made equal at the bond.
   void constrain_start(Motion& motion) override { ties_.match_velocities(motion.bodies); }
   void constrain(Motion& motion) override;
   void add_energies(Ledger& l) const override { l.contact += ties_.taken(); }

@@ -98,7 +98,7 @@ std::vector<Point> Ties::solve(const std::vector<Frame>& frames, const std::vect
       double s = nodes_[ties_[k].node].inverse_mass[c];
       for (int a = 0; a < ties_[k].corners; ++a)
         s += ties_[k].share[a] * ties_[k].share[a] * nodes_[ties_[k].facet[a]].inverse_mass[c];
-      scale[k][c] = s > 0 ? 1 / s : 0;  // both sides held: no force is needed, and none is found
+      scale[k][c] = s > 0 ? 1 / s : 0;  // both sides are held: no force is needed
       if (s == 0) r[k][c] = 0;
     }
   const auto precondition = [&] {
@@ -108,7 +108,7 @@ std::vector<Point> Ties::solve(const std::vector<Frame>& frames, const std::vect
   precondition();
   p = z;
   double rz = dot(r, z);
-  const double enough = 1e-28 * rz;  // of the square: l to 14 digits
+  const double enough = 1e-28 * rz;  // relative to its square: l to 14 digits
   for (int turn = 0; turn < 300 && rz > enough; ++turn) {
     spread(frames, p, on_nodes);
     for (std::size_t k = 0; k < nodes_.size(); ++k)
@@ -130,7 +130,7 @@ void Ties::add_forces(std::vector<MovingBody>& bodies, double keep, double push,
                       double step_before, bool first) {
   const std::vector<Frame> frames = this->frames(bodies);
   const std::vector<Point> u = gather(bodies, &MovingBody::u), v = gather(bodies, &MovingBody::v);
-  // What the step would do without ties: (g / dt + keep G v) / push + G M^-1 f.
+  // The right-hand side -b: what the step would give without ties, (g / dt + keep G v) / push + G M^-1 f.
   std::vector<Point> move = gather(bodies, &MovingBody::f), b(ties_.size());
   for (std::size_t k = 0; k < nodes_.size(); ++k) {
     const MovingBody& body = bodies[nodes_[k].body];

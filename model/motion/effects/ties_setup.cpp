@@ -1,4 +1,4 @@
-// Which points are tied to which facets.
+// Finds the points that are tied, and their facets.
 
 #include <fmt/format.h>
 
@@ -34,18 +34,18 @@ void differentiate(const std::array<double, 4>& n, int dim, std::array<double, 4
   by_b = {a - 1, -a, a, 1 - a};
 }
 
-/// Of two bodies the one with the smaller facets gives the points, so that none of its partner's facets hangs
-/// between two ties; of equal ones the lighter for its stiffness.
+/// Whether the first of two bodies is the one whose points are tied: the one with the smaller facets, so that
+/// every facet of the other has ties; for facets of equal size the one with the lower acoustic impedance.
 bool gives_points(const Surface& mine, const Surface& other, double my_impedance, double other_impedance) {
   const double a = mine.facet_area(), b = other.facet_area();
   return std::abs(a - b) > 0.01 * std::max(a, b) ? a < b : my_impedance <= other_impedance;
 }
 
-/// A point of the other body deep in this one. A shape of its own knows its curved sides exactly; of a body
-/// that is known by its facets alone, and of what particles make of it, a quarter of a spacing is allowed for
-/// those between them.
-std::optional<Overlap> mass_twice(const Surface& body, const Shape& shape, const Surface& other,
-                                  double spacing) {
+/// A point of the other body that lies inside this one. A shape without a mesh has exact sides, and 5 % of a
+/// spacing is tolerated. Of a mesh only the facets are known, and its curved sides lie between them: a
+/// quarter of a spacing is tolerated.
+std::optional<Overlap> overlap_of_tied(const Surface& body, const Shape& shape, const Surface& other,
+                                       double spacing) {
   const Enclosure enclosure(body);
   const double tolerance = shape.cells() ? 0.25 * std::max(body.spacing, other.spacing) : 0.05 * spacing;
   for (const Point& p : other.now) {
@@ -85,7 +85,7 @@ void Ties::tie(const Scene& scene, const Contact& contact, const std::vector<Mov
   const double spacing = 0.5 * (points.spacing + facets.spacing);
   const double reach = 1.1 * spacing;
   for (int s = 0; s < 2; ++s)
-    if (const auto found = mass_twice(
+    if (const auto found = overlap_of_tied(
             surfaces[s], *scene.bodies[contact.between[s]].shape, surfaces[1 - s], spacing))
       refuse(scene, contact,
              fmt::format("the bodies overlap by {:.4g} mm at ({:.6g}, {:.6g}, {:.6g}) m, where there would "
@@ -103,14 +103,15 @@ void Ties::tie(const Scene& scene, const Contact& contact, const std::vector<Mov
   }
   const BoxGrid grid(boxes);
   Bond bond{&contact, party[mine], party[1 - mine], ties_.size(), ties_.size(), {}};
-  // Points lie on the surface, or, where a lattice misses a curved one, up to half a spacing below it.
+  // Surface points lie on the surface; those of a lattice of particles lie up to half a spacing below a
+  // curved one.
   for (const double gap : {0.05 * spacing, reach}) {
     for (std::size_t p = 0; p < points.now.size(); ++p) {
       const Point& x = points.now[p];
-      Stand best;
+      Projection best;
       int piece = -1;
       grid.any_near(x, 0, [&](int f) {
-        const Stand s = stand_over(dim_, facets.corners(facets.facets[std::size_t(f)]), x);
+        const Projection s = project_onto_facet(dim_, facets.corners(facets.facets[std::size_t(f)]), x);
         const bool faces = dot(points.area[p], s.normal) < -0.1 * norm(points.area[p]);
         if (faces && std::abs(s.gap) <= gap && s.beyond <= 0.05 * spacing &&
             (piece < 0 || std::hypot(s.gap, s.beyond) < std::hypot(best.gap, best.beyond)))
@@ -153,10 +154,11 @@ void Ties::tie(const Scene& scene, const Contact& contact, const std::vector<Mov
       const std::vector<std::size_t>& taken = bodies[n.body].constrained;
       if (std::find(taken.begin(), taken.end(), bodies[n.body].discretization->layout().at(n.point, c)) !=
           taken.end())
-        refuse(scene, contact,
-               fmt::format("it shares a point of body \"{}\" with a support of mode = \"mean\"; keep their "
-                           "places apart",
-                           bodies[n.body].name));
+        refuse(
+            scene, contact,
+            fmt::format(
+                "it shares a point of body \"{}\" with a support of mode = \"mean\"; keep their places apart",
+                bodies[n.body].name));
     }
   bonds_.push_back(bond);
 }

@@ -6,7 +6,7 @@ namespace femsph::quantity {
 
 inline constexpr Quantity displacement{
     .word = "displacement",
-    .about = "how far the point has moved since the start",
+    .about = "displacement from the undeformed position",
     .unit = "m",
     .components = Quantity::Components::vector,
     .on_material = false,

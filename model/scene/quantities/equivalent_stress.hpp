@@ -7,7 +7,7 @@ namespace femsph::quantity {
 
 inline constexpr Quantity equivalent_stress{
     .word = "equivalent_stress",
-    .about = "von Mises' stress",
+    .about = "von Mises stress",
     .unit = "Pa",
     .components = Quantity::Components::scalar,
     .on_material = true,

@@ -7,7 +7,7 @@ namespace femsph::quantity {
 
 inline constexpr Quantity principal_stress{
     .word = "principal_stress",
-    .about = "principal stresses, the largest first; the one across a plane included",
+    .about = "principal stresses, the largest first, with the one normal to the plane in a plane scene",
     .unit = "Pa",
     .components = Quantity::Components::principal,
     .on_material = true,

@@ -6,7 +6,7 @@ namespace femsph::quantity {
 
 inline constexpr Quantity strain{
     .word = "strain",
-    .about = "small strain; at large motion U - 1 of the stretch U, turned to space",
+    .about = "small strain; in large motion R (U - 1) R^T, with F = R U",
     .unit = "1",
     .components = Quantity::Components::tensor,
     .on_material = true,

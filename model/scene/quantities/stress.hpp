@@ -6,7 +6,7 @@ namespace femsph::quantity {
 
 inline constexpr Quantity stress{
     .word = "stress",
-    .about = "Cauchy's stress",
+    .about = "Cauchy stress",
     .unit = "Pa",
     .components = Quantity::Components::tensor,
     .on_material = true,

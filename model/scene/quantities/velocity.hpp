@@ -6,7 +6,7 @@ namespace femsph::quantity {
 
 inline constexpr Quantity velocity{
     .word = "velocity",
-    .about = "of the point",
+    .about = "velocity",
     .unit = "m/s",
     .components = Quantity::Components::vector,
     .on_material = false,

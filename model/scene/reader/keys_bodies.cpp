@@ -1,4 +1,4 @@
-// The keys of materials, bodies, symmetry planes and bars.
+// The keys of materials and bodies.
 
 #include "model/scene/reader/scene_page.hpp"
 #include "model/scene/scene.hpp"
@@ -24,11 +24,12 @@ std::vector<Entry> shape_entries() {
 KeyTable material_keys() {
   const auto laws = law_entries();
   return {"[materials.NAME]",
-          "A material; NAME is what bodies and bars call it.",
-          {{"law", key_holds::words(laws), "The constitutive law.", true},
+          "A material. Bodies and bars refer to it by NAME.",
+          {{"law", key_holds::words(laws), "The constitutive law; each law has further keys, below.", true},
            {"young", key_holds::quantity(dimension::pressure), "Young's modulus E.", true},
            {"poisson", key_holds::number, "Poisson's ratio, above -1 and below 0.5.", true},
-           {"density", key_holds::quantity(dimension::density), "At the start.", true}},
+           {"density", key_holds::quantity(dimension::density), "Mass density of the undeformed material.",
+            true}},
           "law",
           laws,
           true};
@@ -42,40 +43,26 @@ std::vector<KeyTable> law_tables() {
 
 KeyTable body_keys() {
   const auto shapes = shape_entries();
-  return {"[bodies.NAME]",
-          "A body; NAME is what other tables and columns call it.",
-          {{"shape", key_holds::words(shapes), "Its shape at the start.", true},
-           {"material", "a text: the name of a material", "What it is made of.", false,
-            "unless the body is rigid"},
-           {"thickness", key_holds::quantity(dimension::length), "Out of the plane; only in a plane scene.",
-            false, "of a body that deforms, and of a rigid one with \"density\", in a plane scene"},
-           {"rigid", key_holds::flag, "The body moves and turns as a whole. false unless given."},
-           {"mass", key_holds::quantity(dimension::mass), "Of a rigid body.", false,
-            "of a rigid body without \"density\""},
-           {"density", key_holds::quantity(dimension::density), "Of a rigid body, in place of \"mass\"."}},
-          "shape",
-          shapes,
-          true};
-}
-
-KeyTable symmetry_keys() {
-  return {"[[symmetry]]",
-          "A plane side of a body beyond which the body goes on, mirrored.",
-          {body_key(),
-           {"at", "a text: a side of the bounding box, such as \"x-\"", "Its normal displacement is zero.",
-            true}}};
-}
-
-KeyTable bar_keys() {
-  const std::string end = "An end, in the undeformed body; bars run along an axis.";
-  return {"[bars.NAME]",
-          "Reinforcement along an axis, bonded to its body.",
-          {body_key(),
-           {"from", key_holds::vector(dimension::length), end, true},
-           {"to", key_holds::vector(dimension::length), end, true},
-           {"area", key_holds::quantity(dimension::area),
-            "Of the section: of all bars over the thickness of a plane body, of one in space.", true},
-           {"material", "a text: the name of a material", "What the bar is made of.", true}}};
+  return {
+      "[bodies.NAME]",
+      "A body. Other tables, and columns of the results, refer to it by NAME.",
+      {{"shape", key_holds::words(shapes),
+        "The shape of the undeformed body; each shape has further keys, below.", true},
+       {"material", "a text: the name of a material", "The material of the body.", false,
+        "unless the body is rigid"},
+       {"thickness", key_holds::quantity(dimension::length),
+        "The thickness normal to the plane. Only in a plane scene.", false,
+        "of a body that deforms, and of a rigid one with \"density\", in a plane scene"},
+       {"rigid", key_holds::flag,
+        "true: the body does not deform; it translates and rotates as a whole. false unless given."},
+       {"mass", key_holds::quantity(dimension::mass),
+        "The mass of a rigid body. Of half a body (symmetry) give half the mass.", false,
+        "of a rigid body without \"density\""},
+       {"density", key_holds::quantity(dimension::density),
+        "The density of a rigid body, instead of its mass."}},
+      "shape",
+      shapes,
+      true};
 }
 
 }  // namespace femsph::scene_reader

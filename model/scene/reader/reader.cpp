@@ -1,7 +1,8 @@
 #include "model/scene/reader/reader.hpp"
 
+#include "model/motion/effects/catalogue.hpp"
 #include "model/scene/reader/scene_page.hpp"
-#include "model/scene/reader/scene_reader.hpp"
+#include "model/scene/reader/scene_parts.hpp"
 #include "model/scene/singular.hpp"
 
 namespace femsph {
@@ -15,19 +16,21 @@ const std::vector<std::pair<std::string, bool>> motions = {{"small", false}, {"l
 }  // namespace
 
 KeyTable top_keys() {
-  return {"", "Keys before the first table.", {{"title", key_holds::text, "One line for people."}}};
+  return {
+      "", "Keys before the first table.", {{"title", key_holds::text, "A title for reports and records."}}};
 }
 
 KeyTable model_keys() {
-  return {
-      "[model]",
-      "What all bodies have in common.",
-      {{"plane", key_holds::words(planes), "Plane stress, plane strain, or none: three-dimensional.", true},
-       {"motion", key_holds::words(motions),
-        "\"large\" lets material axes rotate and strains be finite. \"small\" unless given."}},
-      {},
-      {},
-      true};
+  return {"[model]",
+          "What holds for the whole scene.",
+          {{"plane", key_holds::words(planes), "Plane stress, plane strain, or \"none\": three-dimensional.",
+            true},
+           {"motion", key_holds::words(motions),
+            "\"small\": small displacements and strains, as in linear analysis. \"large\": finite rotations "
+            "and strains. \"small\" unless given."}},
+          {},
+          {},
+          true};
 }
 
 void read_model(Fields& root, Reading& reading) {
@@ -43,14 +46,17 @@ void read_model(Fields& root, Reading& reading) {
 }
 
 KeyTable time_keys() {
-  return {"[time]",
-          "How long the scene is followed, and what is kept of it.",
-          {{"duration", key_holds::quantity(dimension::time), "With [settling]: at most this long.", true},
-           {"samples", key_holds::count, "Rows of the histories over the duration. 400 unless given."},
-           {"snapshots", key_holds::count, "Fields written over the duration. 20 unless given."}},
-          {},
-          {},
-          true};
+  return {
+      "[time]",
+      "The simulated time, and how often results are kept.",
+      {{"duration", key_holds::quantity(dimension::time), "The simulated time; with [settling] the longest.",
+        true},
+       {"samples", key_holds::count, "Number of rows of the histories over the duration. 400 unless given."},
+       {"snapshots", key_holds::count,
+        "Number of times that fields are written over the duration. 20 unless given."}},
+      {},
+      {},
+      true};
 }
 
 void read_time(Fields& root, Reading& reading) {
@@ -78,22 +84,13 @@ Scene parse_scene(const std::string& text, const std::string& file) {
   scene.title = root.text("title", Need::optional).value_or("");
   read_model(root, reading);  // first: it says how many components a vector has
   read_materials(root, reading);
-  read_bodies(root, reading);  // before all that refers to a body
-  read_supports(root, reading);
-  read_symmetries(root, reading);
-  read_bars(root, reading);
-  read_loads(root, reading);
-  read_initial_velocities(root, reading);
-  read_initial_displacements(root, reading);
-  read_contacts(root, reading);
-  read_gravity(root, reading);
-  read_damping(root, reading);
-  read_effects(root, reading);
-  read_output(root, reading);  // before what it is a default of
+  read_bodies(root, reading);  // before the tables that refer to a body
+  read_output(root, reading);  // before probes and sections, whose defaults it sets
   read_probes(root, reading);
   read_sections(root, reading);
   read_time(root, reading);
-  read_settling(root, reading);  // last: it asks whether anything moves
+  for (const EffectEntry& effect : effects())
+    if (effect.read) effect.read(root, reading);
   root.done();
   faults.raise(file);
   for (std::string& text : singular_warnings(scene)) scene.warnings.push_back(std::move(text));

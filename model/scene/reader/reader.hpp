@@ -1,5 +1,5 @@
 #pragma once
-// Reads a scene file. Everything wrong with it is found in one go.
+// Reads a scene file, and reports all its errors at once.
 
 #include <string>
 
@@ -10,7 +10,7 @@ namespace femsph {
 
 /// Throws InputError.
 Scene read_scene(const std::string& file);
-/// The same from memory; `file` names it in messages, and relative mesh paths start at its folder.
+/// The same from a text; `file` is its name in messages, and relative paths of meshes start at its folder.
 Scene parse_scene(const std::string& text, const std::string& file);
 
 }  // namespace femsph

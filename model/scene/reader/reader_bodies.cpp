@@ -1,13 +1,13 @@
-// Materials and bodies of a scene, and how other tables refer to a body.
+// Reads the materials and bodies of a scene.
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
 
-#include "model/scene/reader/scene_reader.hpp"
-#include "model/scene/reader/shape_reader.hpp"
+#include "model/scene/reader/scene_parts.hpp"
 #include "model/scene/shapes/mesh_check.hpp"
+#include "model/scene/shapes/shapes.hpp"
 
 namespace femsph::scene_reader {
 namespace {
@@ -41,7 +41,8 @@ std::vector<std::string> material_names(const Scene& scene) {
   return names;
 }
 
-// Such a cell is sound where elements take its gradients, but near that corner what they say is poor.
+// Elements can use such a cell, since they compute gradients at Gauss points, but results near that corner
+// are poor.
 void warn_of_bad_corners(const Fields& fields, const Shape* shape, const Reading& reading) {
   if (!shape || !shape->cells()) return;
   const std::vector<int> cells = cells_with_bad_corners(*shape->cells());
@@ -60,12 +61,43 @@ void warn_of_bad_corners(const Fields& fields, const Shape* shape, const Reading
       cells.size() == 1 ? "its" : "their"));
 }
 
+/// The keys of a rigid body besides its shape: its mass.
+void read_rigid_body(Fields& fields, Body& body, const Reading& reading) {
+  const bool by_density = fields.has("density") && !fields.has("mass");
+  const auto mass = fields.quantity(
+      "mass", by_density ? Need::optional : Need::required, dimension::mass, Sign::positive);
+  const auto density = fields.quantity("density", Need::optional, dimension::density, Sign::positive);
+  if (fields.has("mass") && fields.has("density"))
+    fields.fault("density", "both \"mass\" and \"density\" are given; expected one of them");
+  const bool plane = reading.dim == 2;
+  body.thickness = fields
+                       .quantity("thickness", plane && by_density ? Need::required : Need::optional,
+                                 dimension::length, Sign::positive)
+                       .value_or(1.0);
+  if (reading.dim == 3 && fields.has("thickness"))
+    fields.fault(
+        "thickness",
+        "\"thickness\" in a three-dimensional scene; expected it only with plane = \"stress\" or \"strain\"");
+  if (body.shape && body.shape->cells())
+    fields.fault("shape", "a rigid body made of cells; expected \"box\", \"disc\" or \"sphere\"");
+  else if (body.shape && !body.shape->rigid())
+    fields.fault(
+        "shape", fmt::format("a rigid {}; expected \"box\", \"disc\" or \"sphere\"", body.shape->describe()));
+  if (!usable_name(body.name))
+    fields.fault(
+        "shape",
+        fmt::format("the name {} cannot be used; expected letters, digits, _ and - (it names columns)",
+                    in_quotes(body.name)));
+  fields.done();
+  body.mass = mass.value_or(body.shape && density ? *density * body.shape->measure() * body.thickness : 1.0);
+}
+
 Body read_body(const std::string& name, Fields& fields, const Reading& reading) {
   Body body{name, read_shape(fields, reading.dim, reading.folder), 1.0, ""};
   warn_of_bad_corners(fields, body.shape.get(), reading);
   const auto rigid = fields.flag("rigid", Need::optional);
   if (!rigid && fields.has("rigid"))
-    return fields.accept_rest(), body;  // which keys belong here is not known
+    return fields.accept_rest(), body;  // it is not known which keys the body should have
   body.rigid = rigid.value_or(false);
   if (body.rigid) return read_rigid_body(fields, body, reading), body;
   const Need need = reading.dim == 2 ? Need::required : Need::optional;
@@ -84,21 +116,7 @@ Body read_body(const std::string& name, Fields& fields, const Reading& reading) 
   return body;
 }
 
-std::string bounds(const Shape& shape) {
-  std::string text;
-  for (int i = 0; i < shape.dim(); ++i)
-    text += fmt::format(
-        "{}{} in [{:g}, {:g}] mm", i ? ", " : "", "xyz"[i], 1e3 * shape.lower()[i], 1e3 * shape.upper()[i]);
-  return text;
-}
-
 }  // namespace
-
-std::vector<std::string> body_names(const Scene& scene) {
-  std::vector<std::string> names;
-  for (const Body& body : scene.bodies) names.push_back(body.name);
-  return names;
-}
 
 void read_materials(Fields& root, Reading& reading) {
   for (auto& [name, fields] :
@@ -113,32 +131,6 @@ void read_bodies(Fields& root, Reading& reading) {
   const auto& all = reading.scene.bodies;
   if (!all.empty() && std::all_of(all.begin(), all.end(), [](const Body& body) { return body.rigid; }))
     root.fault("bodies", "every body is rigid; expected one at least that deforms");
-}
-
-std::optional<std::size_t> read_body_of(Fields& fields, const Reading& reading) {
-  const auto names = body_names(reading.scene);
-  const auto name = fields.text("body", names.size() > 1 ? Need::required : Need::optional,
-                                names.empty() ? "the name of a body" : one_of(names));
-  if (names.empty()) return {};
-  if (!name) return names.size() == 1 && !fields.has("body") ? std::optional<std::size_t>(0) : std::nullopt;
-  const auto found = std::find(names.begin(), names.end(), *name);
-  if (found != names.end()) return found - names.begin();
-  fields.fault("body", fmt::format("unknown body {}; expected {}{}", in_quotes(*name), one_of(names),
-                                   did_you_mean(*name, names)));
-  return {};
-}
-
-double point_tolerance(const Shape& shape) {
-  const Point a = shape.lower(), b = shape.upper();
-  return 1e-6 * std::hypot(b[0] - a[0], b[1] - a[1], b[2] - a[2]);
-}
-
-void require_inside(const Fields& fields, const char* key, const Point& point, std::size_t body,
-                    const Reading& reading) {
-  const Body& owner = reading.scene.bodies[body];
-  if (!owner.shape || owner.shape->contains(point, point_tolerance(*owner.shape))) return;
-  fields.fault(key, fmt::format("\"{}\" lies outside body {}; expected a point of its {}: {}", key,
-                                in_quotes(owner.name), owner.shape->describe(), bounds(*owner.shape)));
 }
 
 }  // namespace femsph::scene_reader

@@ -1,12 +1,13 @@
-// What a scene asks to see: probes and sections.
+// Reads what a scene requests as output: [output], probes and sections.
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cctype>
 
+#include "model/scene/place_extent.hpp"
 #include "model/scene/reader/scene_page.hpp"
-#include "model/scene/reader/scene_reader.hpp"
+#include "model/scene/reader/scene_parts.hpp"
 
 namespace femsph::scene_reader {
 namespace {
@@ -15,9 +16,20 @@ const std::vector<std::pair<std::string, StressReading>> stress_readings{
     {"recovered", StressReading::recovered}, {"raw", StressReading::raw}};
 
 const std::vector<std::pair<std::string, bool>> field_readings{{"raw", false}, {"both", true}};
-const std::string name_about = "Letters, digits, _ and -, at most 64: it names columns and files.";
+/// The keys that probes and sections share, around those of their place.
+std::vector<Key> observer_keys(const std::vector<Key>& place) {
+  std::vector<Key> keys = {
+      {"name", key_holds::text, "The name of its columns and files: at most 64 letters, digits, _ and -.",
+       true},
+      body_key(),
+      {"quantity", key_holds::words(quantity_words()), "What is read; listed under [[probes]].", true}};
+  keys.insert(keys.end(), place.begin(), place.end());
+  keys.push_back({"reading", key_holds::words(stress_readings),
+                  "How stress and strain are read, as in [output], whose value it has unless given."});
+  return keys;
+}
 
-/// How stress and strain are read there; of a displacement it would say nothing.
+/// How stress and strain are read there. A displacement or velocity has no such key.
 StressReading read_reading(Fields& fields, std::optional<const Quantity*> quantity, const Reading& reading) {
   const auto own = fields.choice<StressReading>("reading", Need::optional, stress_readings);
   if (quantity && !(*quantity)->on_material && fields.has("reading"))
@@ -35,7 +47,7 @@ bool taken(const std::string& name, const Scene& scene) {
                      [&](const Body& body) { return body.rigid && body.name == name; });
 }
 
-// Names become columns and files; probes and sections share one namespace.
+// Names become names of columns and files, so probes, sections and rigid bodies must have different ones.
 std::string read_name(Fields& fields, const Scene& scene) {
   const std::string expected = "letters, digits, _ and - (at most 64: it names columns and files)";
   const auto name = fields.text("name", Need::required, expected);
@@ -61,7 +73,7 @@ void check_line(const Fields& fields, const Section& section, const Reading& rea
   require_inside(fields, "from", section.from, section.body, reading);
   require_inside(fields, "to", section.to, section.body, reading);
   if (!body.shape || !inside(section.from, body) || !inside(section.to, body)) return;
-  // The ends may lie in the body and the line between them not: across a notch, say. A thousand points tell.
+  // The line may leave the body between its ends, for example across a notch: test up to a thousand points.
   const int steps = std::min(section.count - 1, 1000);
   for (int i = 1; i < steps; ++i) {
     Point p;
@@ -76,44 +88,36 @@ void check_line(const Fields& fields, const Section& section, const Reading& rea
 
 }  // namespace
 
-bool usable_name(const std::string& name) {
-  const auto allowed = [](unsigned char c) { return c < 0x80 && (std::isalnum(c) || c == '_' || c == '-'); };
-  return !name.empty() && name.size() <= 64 && std::all_of(name.begin(), name.end(), allowed);
-}
-
 KeyTable output_keys() {
   return {"[output]",
-          "How stress and strain are read (model/results/README.md).",
+          "How stress and strain are read from the results (see model/results/README.md).",
           {{"reading", key_holds::words(stress_readings),
-            "Of probes and sections that do not say: \"recovered\" (unless given) by one rule for every "
-            "method, \"raw\" as each method interpolates for itself."},
+            "For probes and sections without a \"reading\" of their own. \"recovered\": a local fit, by one "
+            "rule for all methods, so that methods can be compared. \"raw\": each method's own "
+            "interpolation. \"recovered\" unless given."},
            {"fields", key_holds::words(field_readings),
-            "\"both\" writes fields of stress and strain by the one rule too. \"raw\" unless given."}}};
+            "\"raw\": the fields for ParaView hold stress and strain at the material points. \"both\": they "
+            "hold the recovered values at nodes and particles as well. \"raw\" unless given."}}};
 }
 
 KeyTable probe_keys() {
-  return {"[[probes]]",
-          "Something read at a point in every sample: columns NAME_x, NAME_xx, .. of the history.",
-          {{"name", key_holds::text, name_about, true},
-           body_key(),
-           {"quantity", key_holds::words(quantity_words()), "What is read.", true},
-           {"point", key_holds::vector(dimension::length), "Where, in the undeformed body.", true},
-           {"reading", key_holds::words(stress_readings), "Of stress and strain, as in [output]."}},
-          "quantity",
-          quantity_entries()};
+  return {
+      "[[probes]]",
+      "A quantity that is read at a point, once for every row of the history: columns NAME_x, NAME_xx, ..",
+      observer_keys(
+          {{"point", key_holds::vector(dimension::length), "The point, in the undeformed body.", true}}),
+      "quantity", quantity_entries()};
 }
 
 KeyTable section_keys() {
-  const std::string end = "An end of the line, in the undeformed body.";
   return {"[[sections]]",
-          "The same along a straight line inside a body, at the last sample: a file section_NAME.csv.",
-          {{"name", key_holds::text, name_about, true},
-           body_key(),
-           {"quantity", key_holds::words(quantity_words()), "What is read, as in [[probes]].", true},
-           {"from", key_holds::vector(dimension::length), end, true},
-           {"to", key_holds::vector(dimension::length), end, true},
-           {"points", key_holds::count, "Equally spaced points, both ends included. 41 unless given."},
-           {"reading", key_holds::words(stress_readings), "Of stress and strain, as in [output]."}}};
+          "A quantity that is read along a straight line inside a body, at the end of the run: the file "
+          "section_NAME.csv.",
+          observer_keys({{"from", key_holds::vector(dimension::length),
+                          "One end of the line, in the undeformed body.", true},
+                         {"to", key_holds::vector(dimension::length), "The other end.", true},
+                         {"points", key_holds::count,
+                          "How many equally spaced points are read, both ends included. 41 unless given."}})};
 }
 
 void read_output(Fields& root, Reading& reading) {

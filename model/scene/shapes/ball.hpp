@@ -1,21 +1,23 @@
 #pragma once
 
-#include "model/scene/shapes/round.hpp"
+#include "model/scene/shapes/round_frame.hpp"
+#include "model/scene/shapes/structured.hpp"
 
 namespace femsph {
 
-/// A ball with cells of its own, whole or cut by planes through its axis, whose cells may be finer at the
-/// pole where the axis begins (the lowest point along it): for what strikes there.
+/// A ball that is cut into cells for both solvers; whole, or a half or quarter bounded by planes through its
+/// axis. Its cells may be finer at the pole with the lowest coordinate along the axis, for an impact there.
+/// (Ball, in disc.hpp, is a disc or sphere without cells.)
 class OwnBall final : public StructuredShape {
  public:
-  using Part = Round::Part;
+  using Part = RoundPart;
   struct Size {
     Point centre{};
     double radius = 0;  ///< m
     int axis = 2;
     Part part = Part::whole;
-    /// How many times smaller cells are at the pole than in an even mesh; at the other pole they are as many
-    /// times larger.
+    /// How many times smaller the cells are at that pole than in an even mesh; at the opposite pole they are
+    /// as many times larger.
     double finer = 1;
   };
   explicit OwnBall(const Size& size) : size_(size) {}
@@ -32,18 +34,13 @@ class OwnBall final : public StructuredShape {
   bool is_round() const override { return true; }
   std::string graded_by() const override { return size_.finer > 1 ? "finer" : ""; }
   std::string describe() const override;
-  /// In each octant a cube and three blocks from its faces to the rim, all drawn to the pole. Vertices of the
-  /// rim lie on it.
+  /// In each octant a cube at the centre and three blocks from its faces to the sphere; all vertices are then
+  /// moved towards the finer pole. The vertices of the boundary lie on the sphere.
   CellMesh mesh(const std::array<int, 3>& divisions) const override;
   const Size& size() const { return size_; }
 
  private:
-  /// The ball's own coordinates: the two axes across, and along.
-  std::array<double, 3> own(const Point& p) const;
-  Point place(double a, double b, double along) const;
-  int first() const { return (size_.axis + 1) % 3; }
-  int second() const { return (size_.axis + 2) % 3; }
-  int quarters() const { return size_.part == Part::whole ? 4 : size_.part == Part::half ? 2 : 1; }
+  RoundFrame frame() const { return {size_.centre, size_.axis, size_.part}; }
 
   Size size_;
 };

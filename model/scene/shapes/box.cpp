@@ -44,9 +44,9 @@ double Box::surface() const {
   return dim_ == 2 ? 2 * (s[0] + s[1]) : 2 * (s[0] * s[1] + s[1] * s[2] + s[2] * s[0]);
 }
 
-/// Sides in the order x-, x+, y-, ..
-SideStand Box::stand(int side, const Point& from, const std::array<Point, 3>& axes) const {
-  SideStand s;
+/// The sides are numbered in the order x-, x+, y-, ..
+SideProjection Box::project(int side, const Point& from, const std::array<Point, 3>& axes) const {
+  SideProjection s;
   const Point half = 0.5 * (upper() - lower());
   const int a = side / 2;
   const double sign = side % 2 ? 1 : -1;
@@ -69,9 +69,10 @@ ShapePointer read_box(Fields& body, int dim, const std::filesystem::path&) {
 
 ShapeEntry box_entry() {
   return {{"box",
-           "an axis-parallel rectangle or cuboid",
-           {{"size", key_holds::vector(dimension::length), "along the axes", true},
-            {"origin", key_holds::vector(dimension::length), "the corner x-, y- (, z-); at 0 unless given"}}},
+           "a rectangle or cuboid with sides parallel to the axes",
+           {{"size", key_holds::vector(dimension::length), "The lengths of its sides along the axes.", true},
+            {"origin", key_holds::vector(dimension::length),
+             "Its corner with the lowest coordinates. The origin unless given."}}},
           read_box};
 }
 

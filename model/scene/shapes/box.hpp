@@ -5,7 +5,7 @@
 
 namespace femsph {
 
-/// An axis-parallel rectangle or cuboid.
+/// A rectangle or cuboid with sides parallel to the axes.
 class Box final : public Shape, public RigidForm {
  public:
   Box(int dim, Point origin, Point size) : dim_(dim), origin_(origin), size_(size) {}
@@ -20,7 +20,7 @@ class Box final : public Shape, public RigidForm {
   Point inertia(double mass) const override;
   double surface() const override;
   int side_count() const override { return 2 * dim_; }
-  SideStand stand(int side, const Point& from, const std::array<Point, 3>& axes) const override;
+  SideProjection project(int side, const Point& from, const std::array<Point, 3>& axes) const override;
   std::string describe() const override;
   const Point& size() const { return size_; }
 

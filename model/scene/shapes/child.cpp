@@ -20,7 +20,7 @@ void limit(decltype(RLIMIT_CPU) what, rlim_t most) {
   setrlimit(what, &now);
 }
 
-#ifndef FEMSPH_SANITIZED  // a sanitizer's shadow memory is terabytes of addresses
+#ifndef FEMSPH_SANITIZED  // the shadow memory of sanitizers takes terabytes
 std::size_t address_space() {
   std::size_t pages = 0;
   if (std::FILE* file = std::fopen("/proc/self/statm", "r")) {
@@ -70,7 +70,7 @@ bool in_child(const std::function<std::string()>& work, const ChildLimits& limit
       done = write_all(ends[1], work());
     } catch (...) {
     }
-    _exit(done ? 0 : 1);  // no destructors: they are the parent's
+    _exit(done ? 0 : 1);  // no destructors, which would act on the parent's resources
   }
   close(ends[1]);
   result.clear();

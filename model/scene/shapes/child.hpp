@@ -1,5 +1,5 @@
 #pragma once
-// Work that a library may not survive, in a process of its own.
+// Runs a function in a child process, so that a library that crashes does not end the program.
 
 #include <cstddef>
 #include <functional>
@@ -8,13 +8,13 @@
 namespace femsph {
 
 struct ChildLimits {
-  unsigned seconds;   ///< of its own CPU, and twenty times as many of the clock
-  std::size_t bytes;  ///< of memory beyond what this process holds
+  unsigned seconds;   ///< of CPU time of the child; twenty times as many of wall time
+  std::size_t bytes;  ///< of memory, in addition to that of this process
 };
 
-/// What `work` returns, computed in a child process after `prepare`, which the limits do not count (and which
-/// must not throw); nothing if the child crashed, ran out of time or memory, or could not be started. An
-/// exception of work ends the child like a crash. What the child prints is lost.
+/// Calls work() in a child process and puts what it returns into `result`. False if the child crashed,
+/// exceeded a limit, or could not be started; an exception of work() counts as a crash. prepare() is called
+/// in the child first, without limits; it must not throw. Output of the child is discarded.
 bool in_child(const std::function<std::string()>& work, const ChildLimits& limits, std::string& result,
               const std::function<void()>& prepare = {});
 

@@ -50,8 +50,8 @@ double Ball::surface() const {
   return dim_ == 2 ? 2 * pi * radius_ : 4 * pi * radius_ * radius_;
 }
 
-SideStand Ball::stand(int, const Point& from, const std::array<Point, 3>&) const {
-  SideStand s;
+SideProjection Ball::project(int, const Point& from, const std::array<Point, 3>&) const {
+  SideProjection s;
   const double r = norm(from);
   s.normal = r > 0 ? (1 / r) * from : Point{0, 1, 0};
   s.gap = r - radius_;
@@ -73,17 +73,16 @@ ShapePointer read_ball(Fields& body, int dim, const std::filesystem::path&) {
   return centre && radius && dim ? std::make_shared<Ball>(dim, *centre, *radius) : nullptr;
 }
 
-const std::vector<Key> disc_keys = {{"centre", key_holds::vector(dimension::length), "its centre", true},
-                                    {"radius", "a length", "its radius", true}};
+std::vector<Key> disc_keys() { return {centre_key("The centre."), radius_key()}; }
 
 }  // namespace
 
 ShapeEntry disc_entry() {
-  return {{"disc", "round, in a plane, without cells in SPH", disc_keys}, read_ball<2>};
+  return {{"disc", "a plane disc; SPH fills it with a lattice of particles", disc_keys()}, read_ball<2>};
 }
 
 ShapeEntry sphere_entry() {
-  return {{"sphere", "a ball without cells, for SPH and for rigid bodies", disc_keys}, read_ball<3>};
+  return {{"sphere", "a ball without cells: for SPH, and for rigid bodies", disc_keys()}, read_ball<3>};
 }
 
 }  // namespace femsph

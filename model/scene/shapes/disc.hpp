@@ -5,7 +5,8 @@
 
 namespace femsph {
 
-/// A disc or a sphere without cells of its own: what strikes, and what SPH fills.
+/// A disc (in a plane) or a sphere. It can be rigid. SPH fills it with a lattice of particles; FEM cuts a
+/// disc as Round does, and takes no sphere.
 class Ball final : public Shape, public RigidForm {
  public:
   Ball(int dim, Point centre, double radius) : dim_(dim), centre_(centre), radius_(radius) {}
@@ -23,7 +24,7 @@ class Ball final : public Shape, public RigidForm {
   Point inertia(double mass) const override;
   double surface() const override;
   int side_count() const override { return 1; }
-  SideStand stand(int side, const Point& from, const std::array<Point, 3>& axes) const override;
+  SideProjection project(int side, const Point& from, const std::array<Point, 3>& axes) const override;
   double depth(const Point& p) const override;
   std::string describe() const override;
   const Point& centre() const { return centre_; }

@@ -1,7 +1,7 @@
-// Reads quadrilateral and hexahedral meshes through the library of Gmsh, so that every version of the .msh
-// format works. The library trusts its input: damaged files make it read beyond its arrays or ask for all
-// memory. So it works in a process of its own, which hands the mesh back; only that process opens the module
-// that Gmsh is linked to (gmsh/).
+// Reads meshes with the library of Gmsh, so that every version of the .msh format works. The library does not
+// check its input: with a damaged file it may read beyond its arrays or allocate all memory. Therefore it
+// runs in a child process, which returns the mesh; only that process opens the module that is linked to Gmsh
+// (gmsh/).
 
 #include <fmt/format.h>
 
@@ -21,8 +21,8 @@
 namespace femsph {
 namespace {
 
-// Gmsh takes whatever it does not recognise as a .geo script and runs it, so only the beginnings of the .msh
-// format pass.
+// Gmsh executes every file of unknown format as a .geo script, so files that do not begin like a .msh file
+// are refused.
 void require_msh_file(const std::string& file) {
   std::error_code status;
   if (!std::filesystem::exists(file, status))
@@ -44,12 +44,13 @@ constexpr char is_mesh = 'm', is_message = 'x';
 
 }  // namespace
 
-CellMesh read_gmsh(const std::string& file, int dim, double unit, const MeshWish& wish) {
+CellMesh read_gmsh(const std::string& file, int dim, double unit, const MeshOptions& options) {
   require_msh_file(file);
   const std::size_t size = std::filesystem::file_size(file);
   const ChildLimits limits{
       unsigned(20 + size / 200'000),
-      (std::size_t(1) << 30) + 100 * size};  // Gmsh reads some MB/s, and keeps some 20 bytes for each
+      (std::size_t(1) << 30) +
+          100 * size};  // Gmsh reads a few MB/s, and needs about 20 bytes of memory for each byte
   std::string bytes, trouble;
   const GmshModule* gmsh = nullptr;
   const auto open = [&] {
@@ -72,7 +73,7 @@ CellMesh read_gmsh(const std::string& file, int dim, double unit, const MeshWish
         "{} cannot be read: it is damaged (Gmsh broke off); expected a mesh saved by Gmsh", in_quotes(file)));
   if (bytes[0] == is_message) throw std::runtime_error(bytes.substr(1));
   CellMesh mesh = from_bytes(bytes, 1, dim);
-  check_mesh(mesh, wish, file);
+  check_mesh(mesh, options, file);
   return mesh;
 }
 

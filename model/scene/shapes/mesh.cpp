@@ -1,4 +1,4 @@
-// A body whose cells were made by Gmsh, as a shape: which points it holds, and which lie on its named sides.
+// The shape of a mesh: which points lie inside, and which on its sides and physical groups.
 
 #include "model/scene/shapes/mesh.hpp"
 
@@ -27,10 +27,10 @@ Patch facet_patch(const CellMesh& mesh, int facet) {
   return patch_of(mesh, mesh.facets[facet].vertices, mesh.dim - 1);
 }
 
-/// A side of a cell, with how many cells have it, and the facets of the file that are it.
+/// A side of a cell, how many cells have it, and which facets of the file are this side.
 struct CellSide {
   std::array<int, 4> vertices;  ///< of the first cell, lexicographic
-  double outward;               ///< 1 if add_pieces() finds areas that point out of that cell, else -1
+  double outward;               ///< 1 if the areas of add_pieces() point out of that cell, else -1
   int cells;
   std::vector<int> named;
 };
@@ -52,8 +52,8 @@ std::vector<CellSide> cell_sides(const CellMesh& mesh) {
         std::array<int, 4> vertices{};
         for (int v = 0, k = 0; v < 1 << mesh.dim; ++v)
           if ((v >> a & 1) == end) vertices[k++] = cell[v];
-        // Tangents of a positive cell: out of the side x+ points (y, z), out of y+ (z, x), that is -(x, z),
-        // ..; in the plane (0, 0, 1) stands for z.
+        // In a cell with positive Jacobian the cross product of the tangents (y, z) points out of side x+,
+        // that of (z, x) = -(x, z) out of y+, and so on; in the plane (0, 0, 1) replaces z.
         const double sign = (end ? 1 : -1) * (a == 1 ? -1 : 1);
         ++sides.try_emplace(sorted(vertices, count), CellSide{vertices, sign, 0, {}}).first->second.cells;
       }
@@ -123,7 +123,7 @@ Point MeshShape::centroid() const {
   return sum;
 }
 
-/// The facets of a group; of a side of the bounding box the cells' free sides that lie on it.
+/// The facets of a group; for a side of the bounding box the free sides of cells that lie on it.
 std::vector<SidePiece> MeshShape::side_pieces(const std::string& side, double size) const {
   const auto found = std::find(mesh_.groups.begin(), mesh_.groups.end(), side);
   const int group = found == mesh_.groups.end() ? -1 : int(found - mesh_.groups.begin());
@@ -155,11 +155,11 @@ std::optional<double> read_length_unit(Fields& body) {
   const auto unit = body.text("unit", Need::required, expected);
   if (!unit) return {};
   try {
-    const bool has_number = !unit->empty() &&
-                            std::isdigit((unsigned char)unit->front());  // "25.4 mm" is a unit as well
+    const bool has_number =
+        !unit->empty() && std::isdigit((unsigned char)unit->front());  // "25.4 mm" is accepted as a unit too
     if (const double length = to_si((has_number ? "" : "1 ") + *unit, dimension::length); length > 0)
       return length;
-  } catch (const std::invalid_argument&) {  // said below, without the "1" that the user did not write
+  } catch (const std::invalid_argument&) {  // reported below, without the "1" that the user has not written
   }
   body.fault("unit", fmt::format("\"unit\" is {}; expected {}", in_quotes(*unit), expected));
   return {};
@@ -168,12 +168,12 @@ std::optional<double> read_length_unit(Fields& body) {
 ShapePointer read_mesh(Fields& body, int dim, const std::filesystem::path& folder) {
   const auto file = body.text("file", Need::required, "the path of a .msh file");
   const auto unit = read_length_unit(body);
-  const MeshWish wish{body.count("pieces", Need::optional, 1, 1'000'000).value_or(1),
-                      body.flag("open_seams", Need::optional).value_or(false)};
+  const MeshOptions options{body.count("pieces", Need::optional, 1, 1'000'000).value_or(1),
+                            body.flag("open_seams", Need::optional).value_or(false)};
   if (!file || !unit || !dim) return nullptr;
   try {
     return std::make_shared<MeshShape>(
-        read_gmsh((folder / *file).lexically_normal().string(), dim, *unit, wish), *file);
+        read_gmsh((folder / *file).lexically_normal().string(), dim, *unit, options), *file);
   } catch (const std::runtime_error& e) {
     body.fault("file", e.what());
     return nullptr;
@@ -184,12 +184,17 @@ ShapePointer read_mesh(Fields& body, int dim, const std::filesystem::path& folde
 
 ShapeEntry mesh_entry() {
   return {{"mesh",
-           "quadrilaterals or hexahedra made by Gmsh, for both solvers",
-           {{"file", "a text", "path of a .msh file, relative to the scene's", true},
-            {"unit", "a text: a unit of length, such as \"mm\"", "of the file's coordinates", true},
-            {"pieces", "a whole number", "how many the cells form, joined by their sides; 1 unless given"},
-            {"open_seams", "true or false",
-             "sides that lie on each other without sharing vertices are meant: a crack"}}},
+           "a mesh of quadrilaterals or hexahedra from Gmsh, for both solvers",
+           {{"file", key_holds::text, "The path of the .msh file, relative to the folder of the scene file.",
+             true},
+            {"unit", "a text: a unit of length, such as \"mm\"", "The unit of the coordinates in the file.",
+             true},
+            {"pieces", key_holds::count,
+             "How many separate pieces the mesh has; a piece is a set of cells that are joined by common "
+             "sides. 1 unless given."},
+            {"open_seams", key_holds::flag,
+             "true: cell sides that coincide without sharing vertices are meant, as the faces of a crack. "
+             "false unless given."}}},
           read_mesh};
 }
 

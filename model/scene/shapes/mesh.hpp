@@ -5,7 +5,7 @@
 
 namespace femsph {
 
-/// A body whose cells were made by Gmsh.
+/// A body that is given by a mesh from Gmsh.
 class MeshShape final : public Shape {
  public:
   /// `file` is for describe() only.
@@ -14,7 +14,7 @@ class MeshShape final : public Shape {
   Point lower() const override { return lower_; }
   Point upper() const override { return upper_; }
   bool contains(const Point& p, double tolerance) const override;
-  std::vector<std::string> sides() const override;  ///< the bounding box's, and the physical groups
+  std::vector<std::string> sides() const override;  ///< those of the bounding box, and the physical groups
   bool on_side(const std::string& side, const Point& p, double tolerance) const override;
   double measure() const override;
   Point centroid() const override;
@@ -29,15 +29,15 @@ class MeshShape final : public Shape {
   BoxGrid cell_grid_, facet_grid_;
 };
 
-/// What the scene says of a mesh that would be a mistake elsewhere.
-struct MeshWish {
-  int pieces = 1;           ///< how many the cells form, joined by their sides
-  bool open_seams = false;  ///< sides that lie on each other without sharing vertices are meant: a crack
+/// What the scene allows in a mesh that would be an error otherwise.
+struct MeshOptions {
+  int pieces = 1;           ///< number of sets of cells that are joined by common sides
+  bool open_seams = false;  ///< sides may coincide without sharing vertices, as the faces of a crack
 };
 
-/// Reads a .msh file (quadrilaterals in 2D, hexahedra in 3D; lengths multiplied by `unit`) and looks at all
-/// of it once, see mesh_check.hpp. Throws std::runtime_error with one sentence when the file cannot be read,
-/// holds no such cells, or could be read in two ways.
-CellMesh read_gmsh(const std::string& file, int dim, double unit, const MeshWish& wish = {});
+/// Reads a .msh file (quadrilaterals in 2D, hexahedra in 3D) and checks the mesh (mesh_check.hpp). `unit`:
+/// the unit of the coordinates in m. Throws std::runtime_error with one sentence if the file cannot be read,
+/// has other cells, or is ambiguous.
+CellMesh read_gmsh(const std::string& file, int dim, double unit, const MeshOptions& options = {});
 
 }  // namespace femsph

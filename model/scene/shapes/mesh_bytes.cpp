@@ -42,10 +42,11 @@ std::string to_bytes(const CellMesh& mesh) {
   put(bytes, mesh.facets);
   put(bytes, mesh.cell_numbers);
   put(bytes, mesh.vertex_numbers);
-  put(bytes, std::vector<std::size_t>{mesh.groups.size(), mesh.group_words.size(), mesh.vain_words.size()});
+  put(bytes,
+      std::vector<std::size_t>{mesh.groups.size(), mesh.group_words.size(), mesh.unusable_words.size()});
   for (const std::string& group : mesh.groups) put(bytes, group);
   for (const auto& [word, group] : mesh.group_words) put(bytes, word), put(bytes, std::vector<int>{group});
-  for (const auto& [word, why] : mesh.vain_words) put(bytes, word), put(bytes, why);
+  for (const auto& [word, why] : mesh.unusable_words) put(bytes, word), put(bytes, why);
   return bytes;
 }
 
@@ -65,7 +66,7 @@ CellMesh from_bytes(const std::string& bytes, std::size_t at, int dim) {
   }
   for (std::size_t i = 0; i < counts[2]; ++i) {
     const std::string word = take_text(bytes, at);
-    mesh.vain_words.emplace_back(word, take_text(bytes, at));
+    mesh.unusable_words.emplace_back(word, take_text(bytes, at));
   }
   return mesh;
 }

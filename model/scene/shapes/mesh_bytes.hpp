@@ -1,6 +1,6 @@
 #pragma once
-// A mesh as bytes, from the process that reads it to the one that wants it: the lengths of its lists, then
-// what they hold.
+// A mesh as bytes, to pass it from the process that reads the file to the program: the length of each list,
+// then its entries.
 
 #include <string>
 
@@ -9,7 +9,7 @@
 namespace femsph {
 
 std::string to_bytes(const CellMesh& mesh);
-/// The bytes from `at` on, as to_bytes wrote them.
+/// The mesh in the bytes from `at` on, as to_bytes() has written them.
 CellMesh from_bytes(const std::string& bytes, std::size_t at, int dim);
 
 }  // namespace femsph

@@ -20,7 +20,7 @@ Patch patch_of(const CellMesh& mesh, const std::array<int, 8>& cell) {
 
 double distance(const Point& a, const Point& b) { return std::hypot(a[0] - b[0], a[1] - b[1], a[2] - b[2]); }
 
-// Two corners at one place: an edge without length, which no time step is short enough for.
+// Two corners at the same place: an edge of length zero, for which no time step is small enough.
 void require_distinct_corners(const CellMesh& mesh, int c, const std::string& file) {
   const auto& cell = mesh.cells[c];
   const int corners = 1 << mesh.dim;
@@ -35,15 +35,15 @@ void require_distinct_corners(const CellMesh& mesh, int c, const std::string& fi
             in_quotes(file), vertex_number(mesh, cell[a]), corners));
       if (distance(mesh.vertices[cell[a]], mesh.vertices[cell[b]]) <= 1e-9 * longest)
         throw std::runtime_error(fmt::format(
-            "cell {} of {} has two corners at one place, {}, vertices {} and {}; expected {} "
-            "different corners",
+            "cell {} of {} has two corners at one place, {}, vertices {} and {}; expected {} different "
+            "corners",
             cell_number(mesh, c), in_quotes(file), place_text(mesh.vertices[cell[a]], mesh.dim),
             vertex_number(mesh, cell[a]), vertex_number(mesh, cell[b]), corners));
     }
 }
 
-// Turns mirrored cells (clockwise, or with the top below the bottom) and refuses folded ones: there the map
-// from the reference cell has no inverse where the elements need one, and the shape functions no gradient.
+// Reverses mirrored cells (clockwise, or upside down) and refuses folded ones, in which the map from the
+// reference cell is singular at a Gauss point, so that shape functions have no gradient there.
 void orient(CellMesh& mesh, int c, const std::string& file) {
   auto& cell = mesh.cells[c];
   if (measure(patch_of(mesh, cell)) < 0) {
@@ -54,8 +54,8 @@ void orient(CellMesh& mesh, int c, const std::string& file) {
   }
   if (!(smallest_gauss_jacobian(patch_of(mesh, cell)) > 0))
     throw std::runtime_error(fmt::format(
-        "cell {} of {} is folded or flat (its Jacobian is not positive at every Gauss point); "
-        "expected convex cells",
+        "cell {} of {} is folded or flat (its Jacobian is not positive at every Gauss point); expected "
+        "convex cells",
         cell_number(mesh, c), in_quotes(file)));
 }
 
@@ -76,7 +76,7 @@ std::vector<Side> sorted_sides(const CellMesh& mesh) {
   return sides;
 }
 
-// Around a side that two cells share they run in opposite directions, or else lie on the same side of it.
+// Two cells on different sides of a common side number its vertices in opposite directions.
 bool opposite(const Side& a, const Side& b, int dim) {
   if (dim == 2) return a.loop[0] == b.loop[1];
   const auto at = std::find(b.loop.begin(), b.loop.end(), a.loop[0]) - b.loop.begin();
@@ -85,7 +85,7 @@ bool opposite(const Side& a, const Side& b, int dim) {
   return true;
 }
 
-/// Sets that grow together, each under the smallest number in it.
+/// Disjoint sets (union-find); each is represented by the smallest number in it.
 class Sets {
  public:
   explicit Sets(std::size_t count) : parent_(count) { std::iota(parent_.begin(), parent_.end(), 0); }
@@ -107,7 +107,7 @@ class Sets {
   std::vector<int> parent_;
 };
 
-// Joins the cells that share sides, and returns the sides that belong to one cell alone.
+// Joins cells with common sides, and returns the sides that belong to one cell only.
 std::vector<FreeSide> join_cells(const CellMesh& mesh, Sets& pieces, const std::string& file) {
   const std::vector<Side> sides = sorted_sides(mesh);
   std::vector<FreeSide> free;
@@ -125,21 +125,21 @@ std::vector<FreeSide> join_cells(const CellMesh& mesh, Sets& pieces, const std::
     }
     if (!opposite(sides[i], sides[i + 1], mesh.dim))
       throw std::runtime_error(fmt::format(
-          "cells {} and {} of {} overlap: they lie on the same side of the side that they share; "
-          "expected cells beside each other",
+          "cells {} and {} of {} overlap: they lie on the same side of the side that they share; expected "
+          "cells beside each other",
           number(i), number(i + 1), in_quotes(file)));
     pieces.join(sides[i].cell, sides[i + 1].cell);
   }
   return free;
 }
 
-// Pieces that share vertices turn about them freely; those that share none move apart.
-void check_pieces(const CellMesh& mesh, Sets& pieces, const MeshWish& wish, const std::string& file) {
+// Pieces with common vertices are connected by hinges; others are not connected.
+void check_pieces(const CellMesh& mesh, Sets& pieces, const MeshOptions& options, const std::string& file) {
   const int count = pieces.count();
-  if (count == wish.pieces) return;
-  if (wish.pieces > 1)
+  if (count == options.pieces) return;
+  if (options.pieces > 1)
     throw std::runtime_error(fmt::format("{} is in {} piece{} and not in {}, as \"pieces\" says",
-                                         in_quotes(file), count, count == 1 ? "" : "s", wish.pieces));
+                                         in_quotes(file), count, count == 1 ? "" : "s", options.pieces));
   std::vector<int> first_of(mesh.vertices.size(), -1);
   int other = 0;
   for (int c = 0; c < int(mesh.cells.size()); ++c) {
@@ -150,16 +150,16 @@ void check_pieces(const CellMesh& mesh, Sets& pieces, const MeshWish& wish, cons
       if (pieces.of(first) == pieces.of(c)) continue;
       throw std::runtime_error(fmt::format(
           "{} is in {} pieces that hang together at vertices alone, as cells {} and {} at vertex {}, {}: a "
-          "hinge, which "
-          "takes no moment; expected cells joined by their sides, or pieces = {} if that is meant",
+          "hinge, which takes no moment; expected cells joined by their sides, or pieces = {} if that is "
+          "meant",
           in_quotes(file), count, cell_number(mesh, first), cell_number(mesh, c),
           vertex_number(mesh, mesh.cells[c][v]), place_text(mesh.vertices[mesh.cells[c][v]], mesh.dim),
           count));
     }
   }
   throw std::runtime_error(fmt::format(
-      "{} is in {} pieces, as cells {} and {} show: nothing holds them together; expected one, "
-      "or pieces = {} if that is meant",
+      "{} is in {} pieces, as cells {} and {} show: nothing holds them together; expected one, or pieces = "
+      "{} if that is meant",
       in_quotes(file), count, cell_number(mesh, 0), cell_number(mesh, other), count));
 }
 
@@ -178,15 +178,15 @@ std::string place_text(const Point& p, int dim) {
                   : fmt::format("({:g}, {:g}, {:g}) mm", 1e3 * p[0], 1e3 * p[1], 1e3 * p[2]);
 }
 
-void check_mesh(CellMesh& mesh, const MeshWish& wish, const std::string& file) {
+void check_mesh(CellMesh& mesh, const MeshOptions& options, const std::string& file) {
   for (int c = 0; c < int(mesh.cells.size()); ++c) {
     require_distinct_corners(mesh, c, file);
     orient(mesh, c, file);
   }
   Sets pieces(mesh.cells.size());
   const std::vector<FreeSide> free = join_cells(mesh, pieces, file);
-  if (!wish.open_seams) check_seams(mesh, free, file);
-  check_pieces(mesh, pieces, wish, file);
+  if (!options.open_seams) check_seams(mesh, free, file);
+  check_pieces(mesh, pieces, options, file);
 }
 
 std::vector<int> cells_with_bad_corners(const CellMesh& mesh) {

@@ -1,6 +1,6 @@
 #pragma once
-// One look at all of a mesh: whatever would make the body another one than its author drew is found here, and
-// said by the file's own numbers.
+// The check of a mesh for errors that would change the body from the one that was drawn. Messages use the
+// numbers of the mesh file.
 
 #include <string>
 #include <vector>
@@ -10,23 +10,23 @@
 
 namespace femsph {
 
-/// Turns mirrored cells, and throws std::runtime_error with one sentence for
-///   cells that use a vertex twice, are flat, or are folded at a Gauss point (where every element takes its
-///   gradients); sides of more than two cells, and two cells on the same side of the side they share; open
-///   seams: free sides that lie on each other, vertices that hang on a side of another cell (within a
-///   thousandth of the cells' edges); more or fewer pieces than the scene says.
-/// `file` names the mesh. The time is that of sorting the sides.
-void check_mesh(CellMesh& mesh, const MeshWish& wish, const std::string& file);
+/// Reverses mirrored cells, and throws std::runtime_error with one sentence for:
+///   cells that use a vertex twice, are flat, or are folded at a Gauss point (where elements compute
+///   gradients); sides that belong to more than two cells; cells that overlap, on the same side of a common
+///   side; open seams, that is, free sides that coincide, or vertices that lie on a side of a cell that does
+///   not have them (within a thousandth of the cells' edges); another number of pieces than the scene says.
+/// `file` is the name for messages. The time it takes is about that of sorting the sides.
+void check_mesh(CellMesh& mesh, const MeshOptions& options, const std::string& file);
 
-/// Cells that are sound at their Gauss points and not convex at a corner (there the Jacobian is zero or
-/// negative). What takes gradients or shares at corners cannot use them.
+/// Cells with a zero or negative Jacobian at a corner, although it is positive at the Gauss points. A method
+/// that computes gradients at corners cannot use them.
 std::vector<int> cells_with_bad_corners(const CellMesh& mesh);
 
-/// By the file's numbers, or counted from 1 if there is no file.
+/// The number in the file, or counted from 1 if there is no file.
 std::size_t cell_number(const CellMesh& mesh, int cell);
 std::size_t vertex_number(const CellMesh& mesh, int vertex);
 
-/// Throws for the open seams among these sides.
+/// Throws std::runtime_error if there are open seams between these sides.
 void check_seams(const CellMesh& mesh, const std::vector<FreeSide>& sides, const std::string& file);
 
 /// "(1, 0.5) mm"

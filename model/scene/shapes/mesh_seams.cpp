@@ -1,4 +1,4 @@
-// Open seams: where cells lie against each other and share no vertices, so that nothing holds them together.
+// Open seams: cells that touch without common vertices, so that they are not connected.
 
 #include <fmt/format.h>
 
@@ -13,8 +13,8 @@
 namespace femsph {
 namespace {
 
-// Nearer than this share of the shortest edge around, two places are meant to be one: nobody draws such a
-// slit, and CAD kernels leave such gaps.
+// Two places that are nearer than this share of the shortest adjacent edge are meant to be the same: gaps of
+// that size come from the tolerance of CAD kernels.
 constexpr double near = 1e-3;
 
 double apart(const Point& a, const Point& b) { return std::hypot(a[0] - b[0], a[1] - b[1], a[2] - b[2]); }
@@ -28,7 +28,7 @@ double shortest_edge(const CellMesh& mesh, int cell) {
   return h;
 }
 
-/// A side as a patch: its loop in lexicographic order.
+/// A side as a patch, whose corners are in lexicographic order.
 Patch patch_of(const CellMesh& mesh, const FreeSide& side) {
   Patch patch{mesh.dim - 1, {}};
   patch.corners[0] = mesh.vertices[side.loop[0]];
@@ -67,8 +67,7 @@ class Seams {
         for (int c = 0; c < 3; ++c) middle[c] += mesh_.vertices[a.loop[v]][c] / corners;
       throw std::runtime_error(fmt::format(
           "{} has an open seam: {} pair{} of cell sides that lie on each other and share no side, {}those of "
-          "cells {} (vertices {}) "
-          "and {} (vertices {}) at {}{}{}",
+          "cells {} (vertices {}) and {} (vertices {}) at {}{}{}",
           in_quotes(file), pairs.size(), pairs.size() == 1 ? "" : "s", pairs.size() == 1 ? "" : "first ",
           cell_number(mesh_, a.cell), numbers(a), cell_number(mesh_, b.cell), numbers(b),
           place_text(middle, mesh_.dim),
@@ -78,8 +77,8 @@ class Seams {
     }
     if (hanging_)
       throw std::runtime_error(fmt::format(
-          "{} has an open seam: {} lie{} on a side of a cell that does not have {}, {}vertex {} "
-          "at {} on cell {} (vertices {}){}",
+          "{} has an open seam: {} lie{} on a side of a cell that does not have {}, {}vertex {} at {} on "
+          "cell {} (vertices {}){}",
           in_quotes(file), count(hanging_), hanging_ == 1 ? "s" : "", hanging_ == 1 ? "it" : "them",
           hanging_ == 1 ? "" : "first ", vertex_number(mesh_, hangs_),
           place_text(mesh_.vertices[hangs_], mesh_.dim), cell_number(mesh_, sides_[on_].cell),
@@ -101,7 +100,7 @@ class Seams {
            side.loop.begin() + (1 << (mesh_.dim - 1));
   }
 
-  // Which vertices lie where this one does, and on which side does it hang if on any?
+  // Finds the vertices at the same place as this one, and a side that it lies on without being its vertex.
   void look_around(int vertex, double edge, const BoxGrid& grid) {
     const Point& p = mesh_.vertices[vertex];
     int hangs_on = -1;
@@ -142,10 +141,11 @@ class Seams {
 
   const CellMesh& mesh_;
   const std::vector<FreeSide>& sides_;
-  std::vector<double> edge_;       // of each side's cell: the shortest, m
-  std::map<int, double> edge_at_;  // of each free vertex: the shortest around
-  std::map<int, int> twin_;        // a vertex that another shares its place with: the smallest of them
-  int hanging_ = 0, hangs_ = -1, on_ = -1;  // how many; the first, and on which side
+  std::vector<double> edge_;       // of the cell of each side: the shortest edge, m
+  std::map<int, double> edge_at_;  // of each vertex of a free side: the shortest adjacent edge, m
+  std::map<int, int> twin_;        // of vertices at the same place: the smallest number among them
+  int hanging_ = 0, hangs_ = -1,
+      on_ = -1;  // vertices that lie on a side of another cell: how many, the first one, and that side
 };
 
 }  // namespace

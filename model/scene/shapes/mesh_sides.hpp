@@ -9,7 +9,8 @@
 
 namespace femsph {
 
-/// The vertices of a side in increasing order, -1 before them in a plane: equal for equal sides.
+/// The vertices of a side in increasing order; in a plane two entries of -1 come first. Equal sides have
+/// equal keys.
 using SideKey = std::array<int, 4>;
 
 inline SideKey side_key(const std::array<int, 4>& vertices, int dim) {
@@ -19,8 +20,7 @@ inline SideKey side_key(const std::array<int, 4>& vertices, int dim) {
   return key;
 }
 
-/// Vertices of each side of a lexicographic cell, in the order around it that is counterclockwise from
-/// outside.
+/// The vertices of each side of a cell in lexicographic order, counterclockwise seen from outside.
 inline constexpr int side_loops_2d[4][2] = {{2, 0}, {1, 3}, {0, 1}, {3, 2}};
 inline constexpr int side_loops_3d[6][4] = {
     {0, 4, 6, 2}, {1, 3, 7, 5}, {0, 1, 5, 4}, {2, 6, 7, 3}, {0, 2, 3, 1}, {4, 5, 7, 6}};
@@ -37,7 +37,7 @@ void for_each_side(const CellMesh& mesh, Act&& act) {
     }
 }
 
-/// A side that belongs to one cell alone.
+/// A side that belongs to one cell only.
 struct FreeSide {
   std::array<int, 4> loop;
   int cell;

@@ -10,8 +10,8 @@ namespace {
 double dot(const Point& a, const Point& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
 Point minus(const Point& a, const Point& b) { return {a[0] - b[0], a[1] - b[1], a[2] - b[2]}; }
 
-// Solves the k x k system A x = b of the normal equations, scaled to a unit diagonal, by elimination: A is
-// positive definite unless the patch is degenerate, and then the pivot is left out.
+// Solves the k x k normal equations A x = b, scaled to a unit diagonal, by Gaussian elimination. A is
+// positive definite unless the patch is degenerate; zero pivots are skipped.
 std::array<double, 3> solve(std::array<std::array<double, 3>, 3> A, std::array<double, 3> b, int k) {
   for (int i = 0; i < k; ++i)
     for (int j = i + 1; j < k; ++j) {
@@ -74,14 +74,13 @@ Point Patch::tangent(const std::array<double, 3>& xi, int direction) const {
 
 double distance(const Patch& patch, const Point& p) {
   constexpr int most_steps = 30;
-  constexpr double settled = 1e-13;  // of the reference cell
+  constexpr double settled = 1e-13;  // in coordinates of the reference cell
   std::array<double, 3> xi{0.5, 0.5, 0.5};
   for (int i = 0; i < most_steps; ++i) {
     const auto dxi = step(patch, xi, p);
     double change = 0;
     for (int c = 0; c < patch.k; ++c) {
-      const double next = std::clamp(
-          xi[c] + dxi[c], -0.25, 1.25);  // a wider excursion may reach where the map folds
+      const double next = std::clamp(xi[c] + dxi[c], -0.25, 1.25);  // farther outside the map may be folded
       change = std::max(change, std::abs(next - xi[c]));
       xi[c] = next;
     }

@@ -1,6 +1,6 @@
 #pragma once
-// Multilinear patches in space: the segment, the bilinear quadrilateral and the trilinear hexahedron, by
-// their corners.
+// Multilinear patches in space: segments, bilinear quadrilaterals and trilinear hexahedra, given by their
+// corners.
 
 #include <array>
 #include <vector>
@@ -20,14 +20,12 @@ struct Patch {
   Point tangent(const std::array<double, 3>& xi, int direction) const;  ///< derivative along xi[direction]
 };
 
-/// Distance of p from a point of the patch: to rounding the smallest one if p is near the patch, at least the
-/// smallest one elsewhere.
+/// The distance (m) of p from the patch: exact to round-off if p is near the patch, not too small elsewhere.
 double distance(const Patch& patch, const Point& p);
 
-/// Holds the patch, which lies in the convex hull of its corners.
+/// A box that contains the patch: the bounding box of its corners.
 BoxGrid::Box bounding_box(const Patch& patch);
-/// p is within `tolerance` of the patch. (The box settles most questions for a fraction of what the inverse
-/// of the map costs.)
+/// Whether p is within `tolerance` (m) of the patch. The bounding box is tested first, which is much cheaper.
 bool is_near(const Patch& patch, const Point& p, double tolerance);
 
 /// The smallest determinant of dx/dxi over the corners of a cell in `dim` dimensions (k = dim), m^dim.
@@ -43,8 +41,9 @@ double measure(const Patch& patch);
 /// The integral of x over a cell (k = dim), m^(dim+1).
 Point first_moment(const Patch& patch);
 
-/// A patch with k = dim - 1 cut into pieces no longer than `size`; areas point to the right of a segment 0 ->
-/// 1, and along the cross product of a quadrilateral's tangents; times `sign`.
+/// Cuts a patch with k = dim - 1 into pieces no longer than `size` (m) and appends them. Their area vectors
+/// point to the right of a segment from corner 0 to 1, or along the cross product of the tangents of a
+/// quadrilateral; times `sign`.
 void add_pieces(const Patch& patch, double size, double sign, std::vector<SidePiece>& out);
 
 }  // namespace femsph

@@ -34,7 +34,7 @@ Point Quadrilateral::upper() const {
   return p;
 }
 
-/// Left of all four edges: the corners are convex and run counterclockwise.
+/// A point inside lies to the left of all four edges, since the corners are convex and counterclockwise.
 bool Quadrilateral::contains(const Point& p, double tolerance) const {
   for (int k = 0; k < 4; ++k) {
     const Point &a = corners_[k], &b = corners_[(k + 1) % 4];
@@ -65,7 +65,7 @@ Point Quadrilateral::centroid() const {
   return c;
 }
 
-/// The body lies to the left of each edge from corner to corner.
+/// The body lies to the left of each edge.
 std::vector<SidePiece> Quadrilateral::side_pieces(const std::string& side, double size) const {
   std::vector<SidePiece> pieces;
   for (std::size_t k = 0; k < 4; ++k)
@@ -113,10 +113,10 @@ ShapePointer read_quadrilateral(Fields& body, int dim, const std::filesystem::pa
   for (std::size_t k = 0; k < 4; ++k) {
     const Point &a = corners[k], &b = corners[(k + 1) % 4], &c = corners[(k + 2) % 4];
     if (!((b[0] - a[0]) * (c[1] - b[1]) - (b[1] - a[1]) * (c[0] - b[0]) > 0))
-      return body.fault(keys[(k + 1) % 4], fmt::format("the corners turn the wrong way at \"{}\"; expected a "
-                                                       "convex quadrilateral, counterclockwise from the "
-                                                       "lower left",
-                                                       keys[(k + 1) % 4])),
+      return body.fault(keys[(k + 1) % 4],
+                        fmt::format("the corners turn the wrong way at \"{}\"; expected a convex "
+                                    "quadrilateral, counterclockwise from the lower left",
+                                    keys[(k + 1) % 4])),
              nullptr;
   }
   return std::make_shared<Quadrilateral>(corners);
@@ -126,11 +126,11 @@ ShapePointer read_quadrilateral(Fields& body, int dim, const std::filesystem::pa
 
 ShapeEntry quadrilateral_entry() {
   return {{"quadrilateral",
-           "convex, in a plane, by its corners, counterclockwise from the lower left",
-           {{"corner1", key_holds::vector(dimension::length), "lower left", true},
-            {"corner2", key_holds::vector(dimension::length), "lower right", true},
-            {"corner3", key_holds::vector(dimension::length), "upper right", true},
-            {"corner4", key_holds::vector(dimension::length), "upper left", true}}},
+           "a plane convex quadrilateral, given by its corners, counterclockwise",
+           {{"corner1", key_holds::vector(dimension::length), "The first corner, lower left.", true},
+            {"corner2", key_holds::vector(dimension::length), "The second corner, lower right.", true},
+            {"corner3", key_holds::vector(dimension::length), "The third corner, upper right.", true},
+            {"corner4", key_holds::vector(dimension::length), "The fourth corner, upper left.", true}}},
           read_quadrilateral};
 }
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "model/scene/shapes/round_frame.hpp"
 #include "model/scene/shapes/structured.hpp"
 
 namespace femsph {
@@ -8,14 +9,12 @@ namespace femsph {
 /// along an axis.
 class Round final : public StructuredShape {
  public:
-  /// How much of the section there is, seen from the centre: all, the half where its second axis is positive,
-  /// the quarter where both are.
-  enum class Part { whole, half, quarter };
-  /// `centre` of the section; in space of the end where the axis begins.
+  using Part = RoundPart;
   struct Size {
-    Point centre{};
-    double inner = 0, outer = 0, length = 0;  ///< m; the length in space only
-    int axis = 2;
+    Point centre{};  ///< m, of the section; in space of the end section with the lowest coordinate along the
+                     ///< axis
+    double inner = 0, outer = 0, length = 0;  ///< m: radii, and in space the length along the axis
+    int axis = 2;                             ///< 0, 1, 2: x, y, z; in a plane it has no meaning
     Part part = Part::whole;
   };
   Round(int dim, Size size) : dim_(dim), size_(size) {}
@@ -32,19 +31,14 @@ class Round final : public StructuredShape {
   std::vector<SidePiece> side_pieces(const std::string& side, double size) const override;
   bool is_round() const override { return true; }
   std::string describe() const override;
-  /// Hollow: layers across the wall and sectors around, both of the wanted size at the middle of the wall.
-  /// Solid: a square in the middle of each quarter, and two blocks from its sides to the rim. Vertices of the
-  /// rims lie on them.
+  /// Hollow: layers across the wall and sectors around it, both of the wanted size at the middle of the wall.
+  /// Solid: in each quarter a square block at the centre, and two blocks from its sides to the circle. The
+  /// vertices of the boundary lie on the circles.
   CellMesh mesh(const std::array<int, 3>& divisions) const override;
   const Size& size() const { return size_; }
 
  private:
-  /// The section's own coordinates: its two axes, and along it.
-  std::array<double, 3> section(const Point& p) const;
-  Point place(double a, double b, double along) const;
-  int first() const { return dim_ == 2 ? 0 : (size_.axis + 1) % 3; }
-  int second() const { return dim_ == 2 ? 1 : (size_.axis + 2) % 3; }
-  int quarters() const { return size_.part == Part::whole ? 4 : size_.part == Part::half ? 2 : 1; }
+  RoundFrame frame() const { return {size_.centre, dim_ == 2 ? 2 : size_.axis, size_.part}; }
 
   int dim_;
   Size size_;

@@ -1,8 +1,10 @@
 #include "model/scene/shapes/shapes.hpp"
 
+#include "model/input/toml_fields.hpp"
+
 namespace femsph {
 
-// Each stands in the file of its shape.
+// Each is defined in the file of its shape.
 ShapeEntry box_entry();
 ShapeEntry disc_entry();
 ShapeEntry sphere_entry();
@@ -19,6 +21,15 @@ const std::vector<ShapeEntry>& shapes() {
       cylinder_entry(), tube_entry(), quadrilateral_entry(), ball_entry(),
   };
   return all;
+}
+
+ShapePointer read_shape(Fields& body, int dim, const std::filesystem::path& folder) {
+  std::vector<std::pair<std::string, const ShapeEntry*>> words;
+  for (const ShapeEntry& shape : shapes()) words.emplace_back(shape.entry.word, &shape);
+  const auto chosen = body.choice<const ShapeEntry*>("shape", Need::required, words);
+  if (chosen) return (*chosen)->read(body, dim, folder);
+  body.accept_rest();
+  return nullptr;
 }
 
 }  // namespace femsph

@@ -1,5 +1,5 @@
 #pragma once
-// The catalogue of shapes: what each says of itself, and how a scene's [bodies.NAME] becomes one.
+// The catalogue of shapes, and the reading of a shape from [bodies.NAME].
 
 #include <filesystem>
 #include <memory>
@@ -15,12 +15,15 @@ using ShapePointer = std::shared_ptr<const Shape>;
 
 struct ShapeEntry {
   Entry entry;
-  /// Reads the keys of that shape. Null after a fault, and when `dim` is 0 (the plane of the scene is at
-  /// fault) and the shape needs it. Relative paths start at `folder`.
+  /// Reads the keys of that shape. Null after a fault, and where the number of dimensions is needed and not
+  /// known (dim = 0, after a fault in [model]). Relative paths of files start at `folder`.
   ShapePointer (*read)(Fields& body, int dim, const std::filesystem::path& folder);
 };
 
-/// Every shape a scene can name.
+/// Every shape that a scene can name.
 const std::vector<ShapeEntry>& shapes();
+
+/// Reads the key `shape` of [bodies.NAME] and the keys of that shape, as ShapeEntry::read does.
+ShapePointer read_shape(Fields& body, int dim, const std::filesystem::path& folder);
 
 }  // namespace femsph

@@ -4,13 +4,13 @@
 
 namespace femsph {
 
-/// A shape that knows how to cut itself into quadrilaterals or hexahedra of a wanted size.
+/// A shape that cuts itself into quadrilaterals or hexahedra of a given size.
 class StructuredShape : public Shape {
  public:
-  /// Cells of about (upper - lower) / divisions along each axis; throws std::runtime_error with one sentence
-  /// when that is none.
+  /// Cells of about the size (upper - lower) / divisions along each axis. Throws std::runtime_error if a
+  /// number of divisions is below 1.
   virtual CellMesh mesh(const std::array<int, 3>& divisions) const = 0;
-  /// The key that makes those cells of many sizes in this body; empty: they are even.
+  /// The key of the scene that makes the cells different in size, if it is used; else empty.
   virtual std::string graded_by() const { return ""; }
   const StructuredShape* structured() const final { return this; }
   std::optional<CellMesh> cut(const std::array<int, 3>& divisions) const final { return mesh(divisions); }

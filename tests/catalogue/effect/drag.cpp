@@ -1,7 +1,7 @@
 // A dummy effect for tests/catalogue: drag, a force -k v spread over a body by mass.
 
-#include "model/input/toml_fields.hpp"
 #include "model/motion/effects/effect.hpp"
+#include "model/scene/tables/reading.hpp"
 
 namespace femsph {
 
@@ -60,22 +60,27 @@ class Drag : public Effect {
   std::vector<AlignedVector<double>> force_;  ///< N, now
 };
 
+void read_drag(Fields& root, scene_reader::Reading& reading) {
+  static constexpr Dimension coefficient{"kg/s", "a drag coefficient", "10 kg/s"};
+  auto table = root.table("drag", Need::optional, "a table with coefficient = \"10 kg/s\" or the like");
+  if (!table) return;
+  auto input = std::make_shared<DragInput>();
+  input->coefficient =
+      table->quantity("coefficient", Need::required, coefficient, Sign::positive).value_or(1);
+  table->done();
+  reading.scene.effect_inputs["drag"] = input;
+}
+
 }  // namespace
 
 EffectEntry drag_effect() {
-  EffectEntry e{
-      {"drag", "a force -k v on each body that deforms", {{"coefficient", "a drag coefficient", "k", true}}}};
+  EffectEntry e{{"drag", "a force -k v on each body that deforms"}};
   e.asked_by = "[drag]";
   e.on = [](const Scene& s) { return input_of<DragInput>(s, "drag") != nullptr; };
   e.outside = true;
-  e.table = "drag";
-  e.read = [](Fields& fields, int) -> std::shared_ptr<const EffectInput> {
-    auto input = std::make_shared<DragInput>();
-    static constexpr Dimension coefficient{"kg/s", "a drag coefficient", "10 kg/s"};
-    input->coefficient =
-        fields.quantity("coefficient", Need::required, coefficient, Sign::positive).value_or(1);
-    return input;
-  };
+  e.tables = {
+      {"[drag]", "Drag on every body that deforms.", {{"coefficient", "a drag coefficient", "k.", true}}}};
+  e.read = read_drag;
   e.make = make_effect<Drag>;
   return e;
 }

@@ -18,7 +18,7 @@ Session::Session() {
 Session::~Session() {
   try {
     gmsh::finalize();
-  } catch (...) {  // nothing to save: the mesh has been copied, or is being refused
+  } catch (...) {  // ignored: the mesh has been copied, or an error is being reported
   }
 }
 

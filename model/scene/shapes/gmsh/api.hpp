@@ -1,6 +1,5 @@
 #pragma once
-// The few calls of Gmsh's API that the reader of meshes makes; only the sources of this
-// module include this.
+// The calls of Gmsh's API that reading a mesh needs. Only the sources of this folder include this.
 
 #include <string>
 #include <unordered_map>
@@ -12,10 +11,10 @@
 namespace femsph::gmsh_reader {
 
 constexpr int gmsh_line = 1, gmsh_quad = 3, gmsh_hex = 5;
-// Place of Gmsh's vertices, which go around a face, in lexicographic order.
+// Gmsh numbers the vertices of a cell around a face; this maps them to lexicographic order.
 constexpr std::array<int, 8> around_to_lexicographic = {0, 1, 3, 2, 4, 5, 7, 6};
 
-/// Gmsh is one global state: opens it, keeps it silent, and closes it again.
+/// Initializes the library, which has one global state, without output; and finalizes it.
 class Session {
  public:
   Session();
@@ -34,7 +33,7 @@ std::vector<Block> elements(int dim, int entity = -1);
 std::string type_name(int type);  ///< in quotes
 int corners_of(int type);
 
-/// Gives vertices their numbers in the order of first use: unused ones are dropped.
+/// Numbers the vertices in the order of their first use, so that unused ones are dropped.
 class Vertices {
  public:
   Vertices(double unit, const std::string& file);
@@ -47,7 +46,8 @@ class Vertices {
   std::unordered_map<std::size_t, int> number_;
 };
 
-/// The groups of facets, and what places may call them; nothing here makes a mesh unusable.
+/// Reads the physical groups of facets, and the words by which places can refer to them. An unusable group is
+/// an error only where a place refers to it.
 void read_groups(CellMesh& mesh, const Vertices& vertices, const MshFacts& facts, const std::string& file);
 
 }  // namespace femsph::gmsh_reader

@@ -1,5 +1,5 @@
-// Physical groups of a mesh: which words a place can use for which, and why it cannot use the others. A word
-// that could mean two things means neither, and nothing is said of it until a place uses it.
+// Physical groups of a mesh: which words a place can use for them, and why others cannot be used. An
+// ambiguous word is an error only if a place uses it.
 
 #include <fmt/format.h>
 #include <gmsh.h>
@@ -24,10 +24,10 @@ const char* kind_of(int dim, int mesh_dim) {
 
 struct Group {
   int dim = 0, tag = 0;
-  bool known = false;                   // to Gmsh, and not by its name alone
-  std::vector<CellMesh::Facet> facets;  // of sides only
-  std::vector<std::size_t> numbers;     // of the elements they come from
-  std::string fault;                    // why a place cannot use it
+  bool known = false;                   // it has entities, and not only a name
+  std::vector<CellMesh::Facet> facets;  // only for groups of sides
+  std::vector<std::size_t> numbers;     // numbers of their elements in the file
+  std::string fault;                    // why a place cannot use it; empty: it can
   std::string number() const { return std::to_string(tag); }
 };
 
@@ -35,7 +35,7 @@ std::string text_of(const Group& group, const std::string& file) {
   return fmt::format("physical group {} of {}", group.tag, in_quotes(file));
 }
 
-// Facets of a block that are listed in this group.
+// Adds the elements of a block that belong to this group.
 void add_facets(Group& group, const Block& block, const std::function<bool(std::size_t)>& listed,
                 const CellMesh& mesh, const Vertices& vertices, const std::string& file) {
   const int corners = corners_of(block.type);
@@ -54,13 +54,13 @@ void add_facets(Group& group, const Block& block, const std::function<bool(std::
   }
 }
 
-// Versions 1 and 2 list the group with each element. Gmsh keeps it with the element's entity, and two groups
-// of one entity become one: so the file's own words count. Later ones keep groups with entities.
+// Versions 1 and 2 list the group of each element. Gmsh assigns groups to entities, so that two groups of one
+// entity would become one; therefore the list in the file is used. Later versions assign groups to entities.
 void read_facets(std::vector<Group>& groups, const CellMesh& mesh, const Vertices& vertices,
                  const MshFacts& facts, const std::string& file) {
   std::unordered_map<std::size_t, int> listed;
   for (std::size_t i = 0; i < facts.groups.size(); ++i)
-    listed[facts.numbers[i]] = std::abs(facts.groups[i]);  // a sign turns the element
+    listed[facts.numbers[i]] = std::abs(facts.groups[i]);  // the sign is the orientation of the element
   const std::vector<Block> all = facts.lists_groups() ? elements(mesh.dim - 1) : std::vector<Block>{};
   for (Group& group : groups) {
     if (group.dim != mesh.dim - 1) continue;
@@ -81,9 +81,9 @@ void read_facets(std::vector<Group>& groups, const CellMesh& mesh, const Vertice
   }
 }
 
-// A facet that is the side of no cell cannot be loaded or held.
+// A facet that is not a side of a cell cannot be loaded or fixed.
 void require_sides_of_cells(std::vector<Group>& groups, const CellMesh& mesh, const std::string& file) {
-  std::map<SideKey, bool> known;  // of the facets: is it the side of a cell?
+  std::map<SideKey, bool> known;  // of each facet: whether it is a side of a cell
   for (const Group& group : groups)
     for (const auto& facet : group.facets) known[side_key(facet.vertices, mesh.dim)] = false;
   if (known.empty()) return;
@@ -121,7 +121,7 @@ std::vector<Group> read_all(const CellMesh& mesh, const Vertices& vertices, cons
   return groups;
 }
 
-/// Sides of the bounding box, and the whole body: words that places use for every shape.
+/// The words for places of every shape: sides of the bounding box, and "all".
 std::vector<std::string> words_of_shapes(int dim) {
   std::vector<std::string> words = {"x-", "x+", "y-", "y+", "z-", "z+"};
   words.resize(2 * dim);
@@ -129,7 +129,7 @@ std::vector<std::string> words_of_shapes(int dim) {
   return words;
 }
 
-// A group that is called like a side of the bounding box and is just that leaves nothing open.
+// A group with the name of a side of the bounding box that is exactly that side is not ambiguous.
 bool is_that_side(const Group& group, const std::string& side, const CellMesh& mesh) {
   if (side == "all" || group.dim != mesh.dim - 1 || !group.fault.empty()) return false;
   const int axis = side[0] - 'x';
@@ -159,7 +159,7 @@ std::string list_of(const std::set<int>& meanings, const std::vector<Group>& gro
 
 void read_groups(CellMesh& mesh, const Vertices& vertices, const MshFacts& facts, const std::string& file) {
   const std::vector<Group> groups = read_all(mesh, vertices, facts, file);
-  std::map<std::string, std::set<int>> meanings;  // of each word: indices into groups
+  std::map<std::string, std::set<int>> meanings;  // of each word: the indices of the groups that it may mean
   std::vector<std::string> name(groups.size());
   for (int g = 0; g < int(groups.size()); ++g) {
     std::set<std::string> names;
@@ -170,22 +170,22 @@ void read_groups(CellMesh& mesh, const Vertices& vertices, const MshFacts& facts
     if (groups[g].dim == mesh.dim - 1) meanings[groups[g].number()].insert(g);
     for (const std::string& word : names)
       if (names.size() > 1)
-        mesh.vain_words.emplace_back(
+        mesh.unusable_words.emplace_back(
             word, fmt::format("{} is one of several names of {}; expected its number, \"{}\"",
                               in_quotes(word), text_of(groups[g], file), groups[g].tag));
   }
-  const auto in_vain = [&](const std::string& word) {
-    return std::any_of(
-        mesh.vain_words.begin(), mesh.vain_words.end(), [&](const auto& vain) { return vain.first == word; });
+  const auto is_unusable = [&](const std::string& word) {
+    return std::any_of(mesh.unusable_words.begin(), mesh.unusable_words.end(),
+                       [&](const auto& unusable) { return unusable.first == word; });
   };
   const std::vector<std::string> standing = words_of_shapes(mesh.dim);
-  std::map<std::string, int> meant;  // what is left
+  std::map<std::string, int> meant;  // of each usable word: the index of its group
   for (const auto& [word, of] : meanings) {
     const Group& first = groups[*of.begin()];
-    if (in_vain(word)) continue;
+    if (is_unusable(word)) continue;
     if (std::find(standing.begin(), standing.end(), word) != standing.end()) {
       if (of.size() == 1 && is_that_side(first, word, mesh)) continue;
-      mesh.vain_words.emplace_back(
+      mesh.unusable_words.emplace_back(
           word, fmt::format("{} is {} and, in {}, the name of physical group {}; expected the group's "
                             "number, or another name for it",
                             in_quotes(word), word == "all" ? "the whole body" : "a side of the bounding box",
@@ -194,14 +194,14 @@ void read_groups(CellMesh& mesh, const Vertices& vertices, const MshFacts& facts
       std::vector<std::string> numbers;
       for (const int g : of)
         if (groups[g].dim == mesh.dim - 1) numbers.push_back(groups[g].number());
-      mesh.vain_words.emplace_back(
+      mesh.unusable_words.emplace_back(
           word, fmt::format("{} means physical groups {} of {}; expected {}names that differ",
                             in_quotes(word), list_of(of, groups, mesh.dim), in_quotes(file),
                             numbers.empty() ? ""
                                             : fmt::format("the number of a group of {}, {}, or ",
                                                           kind_of(mesh.dim - 1, mesh.dim), one_of(numbers))));
     } else if (!first.fault.empty()) {
-      mesh.vain_words.emplace_back(word, first.fault);
+      mesh.unusable_words.emplace_back(word, first.fault);
     } else {
       meant[word] = *of.begin();
     }
@@ -214,7 +214,7 @@ void read_groups(CellMesh& mesh, const Vertices& vertices, const MshFacts& facts
     mesh.groups.push_back(by_name ? name[g] : groups[g].number());
     if (by_name) mesh.group_words.emplace_back(name[g], index);
     if (by_number && name[g] != groups[g].number()) mesh.group_words.emplace_back(groups[g].number(), index);
-    std::set<SideKey> seen;  // a file may list a facet once for each group that it is in
+    std::set<SideKey> seen;  // a file may list a facet once for each of its groups
     for (CellMesh::Facet facet : groups[g].facets) {
       facet.group = index;
       if (seen.insert(side_key(facet.vertices, mesh.dim)).second) mesh.facets.push_back(facet);

@@ -1,5 +1,5 @@
 #pragma once
-// The module that reads meshes by Gmsh's library: its table of functions.
+// The functions of the module that reads meshes with the library of Gmsh.
 
 #include <string>
 

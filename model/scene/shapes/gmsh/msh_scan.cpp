@@ -23,7 +23,7 @@ std::string_view trimmed(std::string_view s) {
   return s;
 }
 
-/// The first `most` whole numbers of a line; a fraction ends them.
+/// At most the first `most` integers of a line; ends at anything else.
 std::vector<long long> integers(std::string_view line, std::size_t most) {
   std::vector<long long> all;
   while (all.size() < most) {
@@ -58,7 +58,7 @@ class Scan {
   }
 
  private:
-  /// The next line that is not blank, without blanks around it; empty at the end.
+  /// The next line that is not blank, trimmed; empty at the end of the file.
   std::string_view next() {
     while (at_ < text_.size()) {
       const std::size_t end = std::min(text_.find('\n', at_), text_.size());
@@ -96,8 +96,8 @@ class Scan {
     }
   }
 
-  /// Lines of a section in version 4: blocks, each announced by a line that ends with the number of its
-  /// entries.
+  /// Calls act(line) for the lines of a section. In version 4 they come in blocks, each after a line that
+  /// ends with its number of entries. Returns the number of entries that the section announces.
   template <class Act>
   long long for_each_line(const std::vector<long long>& head, long long lines_an_entry, Act&& act) {
     if (facts_.version < 4) {

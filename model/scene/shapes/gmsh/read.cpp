@@ -1,5 +1,5 @@
-// Reads the mesh of a file: its cells, its vertices, its named sides. Numbering of vertices and elements:
-// Gmsh reference manual, "Node ordering" and "MSH file format".
+// Reads a mesh file: cells, vertices and physical groups. Numbering of vertices and elements: Gmsh reference
+// manual, "Node ordering" and "MSH file format".
 
 #include <fmt/format.h>
 #include <gmsh.h>
@@ -43,7 +43,7 @@ void require_finite(const CellMesh& mesh, const std::string& file) {
           fmt::format("{} has a vertex that is not finite; expected coordinates", in_quotes(file)));
 }
 
-// CAD kernels leave rounding in z, which must not enter the plane's kinematics.
+// Meshes from CAD kernels have rounding errors in z, which must not enter the kinematics of a plane body.
 void flatten(CellMesh& mesh, const std::string& file) {
   double size = 0;
   for (const Point& p : mesh.vertices) size = std::max({size, std::abs(p[0]), std::abs(p[1])});
@@ -55,8 +55,8 @@ void flatten(CellMesh& mesh, const std::string& file) {
   }
 }
 
-// Versions 1 and 2 list a cell once for each physical group that it is in, with a number each time: those
-// count once. Whatever else uses the same vertices a second time is a mistake whose meaning nobody knows.
+// Versions 1 and 2 list a cell once for each of its physical groups, each time with a new number; those are
+// merged. Other cells with the same vertices are an error.
 void drop_repeated_cells(CellMesh& mesh, const MshFacts& facts, const std::string& file) {
   std::unordered_map<std::size_t, int> group;
   for (std::size_t i = 0; i < facts.groups.size(); ++i) group[facts.numbers[i]] = facts.groups[i];
@@ -102,7 +102,8 @@ void read_cells(CellMesh& mesh, Vertices& vertices, const MshFacts& facts, const
   drop_repeated_cells(mesh, facts, file);
 }
 
-// Gmsh takes the first of two nodes of one number, with a word in its log; of two elements one, without.
+// Of two nodes with the same number Gmsh uses the first and writes a warning to its log; of two such elements
+// it drops one without a warning.
 void require_nothing_lost(const MshFacts& facts, const std::string& file) {
   std::vector<std::string> log;
   gmsh::logger::get(log);
@@ -137,7 +138,7 @@ CellMesh read_here(const std::string& file, int dim, double unit) {
     read_groups(mesh, vertices, facts, file);
   } catch (const std::runtime_error&) {
     throw;
-  } catch (...) {  // the API throws whatever its version likes: int, std::string, ..
+  } catch (...) {  // the type of exceptions depends on the version of Gmsh: int, std::string, ..
     throw std::runtime_error(
         fmt::format("{} cannot be read by Gmsh; expected a mesh saved by Gmsh", in_quotes(file)));
   }

@@ -1,14 +1,32 @@
-// What completes a body: symmetry planes and bars.
+// Reinforcing bars. Which points carry a bar: bodies/bars.hpp; their law: material/bar_law.hpp. The forces
+// are added by the discretizations.
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
 
-#include "model/scene/reader/scene_reader.hpp"
+#include "model/motion/effects/catalogue.hpp"
+#include "model/scene/tables/reading.hpp"
 
-namespace femsph::scene_reader {
+namespace femsph {
 namespace {
+
+using namespace scene_reader;
+
+KeyTable bar_keys() {
+  return {"[bars.NAME]",
+          "A reinforcing bar parallel to a coordinate axis, perfectly bonded to its body. It adds its "
+          "stiffness and mass to those of the body.",
+          {body_key(),
+           {"from", key_holds::vector(dimension::length), "One end, in the undeformed body.", true},
+           {"to", key_holds::vector(dimension::length),
+            "The other end. It differs from the first in one component.", true},
+           {"area", key_holds::quantity(dimension::area),
+            "Cross-sectional area; in a plane scene that of all bars over the thickness of the body.", true},
+           {"material", "a text: the name of a material",
+            "The material of the bar. Its law must be one that bars can have.", true}}};
+}
 
 /// A bar runs along one axis: all but one component of its ends agree.
 bool along_an_axis(const Bar& bar) {
@@ -16,43 +34,6 @@ bool along_an_axis(const Bar& bar) {
   for (int a = 0; a < 3; ++a)
     if (a != bar.axis()) across = std::max(across, std::abs(bar.to[a] - bar.from[a]));
   return along > 0 && across <= 1e-9 * along;
-}
-
-/// The body that a table names, unless it is rigid: `what` it cannot have.
-std::optional<std::size_t> read_deformable(Fields& fields, const Reading& reading, const char* what) {
-  const auto body = read_body_of(fields, reading);
-  if (!body || !reading.scene.bodies[*body].rigid) return body;
-  fields.fault("body", fmt::format("body {} is rigid and has no {}; expected a body with a material",
-                                   in_quotes(reading.scene.bodies[*body].name), what));
-  return {};
-}
-
-}  // namespace
-
-void read_symmetries(Fields& root, Reading& reading) {
-  const std::vector<std::string> all = {"x-", "x+", "y-", "y+", "z-", "z+"},
-                                 known(all.begin(), all.begin() + (reading.dim == 2 ? 4 : 6));
-  for (Fields& fields : root.tables("symmetry")) {
-    const auto body = read_deformable(fields, reading, "symmetry planes");
-    const auto side = fields.text("at", Need::required, one_of(known));
-    const Source source = fields.source("at");
-    fields.done();
-    if (!body || !side) continue;
-    if (std::find(known.begin(), known.end(), *side) == known.end()) {
-      fields.fault("at", fmt::format("unknown side {}; expected {}{}", in_quotes(*side), one_of(known),
-                                     did_you_mean(*side, known)));
-      continue;
-    }
-    auto& planes = reading.scene.symmetries;
-    const bool again = std::any_of(planes.begin(), planes.end(), [&](const Symmetry& s) {
-      return s.place.body == *body && s.place.sides[0] == *side;
-    });
-    if (again)
-      fields.fault("at", fmt::format("side {} is a symmetry plane already; expected each plane once",
-                                     in_quotes(*side)));
-    else
-      planes.push_back({Place{*body, {*side}, {}, source, {}}});
-  }
 }
 
 void read_bars(Fields& root, Reading& reading) {
@@ -84,4 +65,15 @@ void read_bars(Fields& root, Reading& reading) {
   }
 }
 
-}  // namespace femsph::scene_reader
+}  // namespace
+
+EffectEntry bars_effect() {
+  EffectEntry e{{"bars", "reinforcing bars, perfectly bonded to their body"}};
+  e.asked_by = "[bars.NAME]";
+  e.on = [](const Scene& s) { return !s.bars.empty(); };
+  e.tables = {bar_keys()};
+  e.read = read_bars;
+  return e;
+}
+
+}  // namespace femsph

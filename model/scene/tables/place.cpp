@@ -1,12 +1,12 @@
-// Part of a body: "at" names sides of its shape, or "point" the discretization point nearest to it.
+// The place that a table names: keys at, point and within.
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <sstream>
 
-#include "model/scene/reader/scene_page.hpp"
-#include "model/scene/reader/scene_reader.hpp"
+#include "model/scene/place_extent.hpp"
+#include "model/scene/tables/reading.hpp"
 
 namespace femsph::scene_reader {
 namespace {
@@ -17,9 +17,8 @@ bool opposite(const std::string& a, const std::string& b) {
   return a.size() == 2 && b.size() == 2 && a[0] == b[0] && a[1] != b[1];
 }
 
-// Sides meet where a point lies on all of them. The cells of a shape that has some show whether there is one
-// (an L-shape has no corner where x+ and y+ meet); the bounding sides of a convex shape meet unless they face
-// each other.
+// Sides meet if a point lies on all of them. In a mesh this is tested with its vertices (an L-shape has no
+// corner where x+ and y+ meet); sides of the bounding box of another shape meet unless they are opposite.
 bool meet(const Shape& shape, const std::vector<std::string>& sides) {
   const CellMesh* mesh = shape.cells();
   if (!mesh) {
@@ -35,8 +34,8 @@ bool meet(const Shape& shape, const std::vector<std::string>& sides) {
   });
 }
 
-/// A word for a side, as the shape calls it: a side's own name, or a group of a mesh by its name or number.
-/// Nothing if it is none.
+/// The name of a side that `word` refers to: its own name, or that of a physical group given by name or
+/// number. Nothing if there is no such side.
 std::optional<std::string> side_named(const Shape& shape, const std::string& word) {
   const std::vector<std::string> sides = shape.sides();
   if (const CellMesh* mesh = shape.cells())
@@ -46,24 +45,24 @@ std::optional<std::string> side_named(const Shape& shape, const std::string& wor
   return known ? std::optional(word) : std::nullopt;
 }
 
-/// Why a name or number that the mesh file holds is no side; nothing if the file does not hold it.
-std::optional<std::string> in_vain(const Shape& shape, const std::string& word) {
+/// Why a name or number in the mesh file cannot be used; nothing if it is not in the file.
+std::optional<std::string> why_unusable(const Shape& shape, const std::string& word) {
   if (const CellMesh* mesh = shape.cells())
-    for (const auto& [said, why] : mesh->vain_words)
+    for (const auto& [said, why] : mesh->unusable_words)
       if (said == word) return why;
   return {};
 }
 
-/// "at" word by word; a physical name may hold blanks, so that the whole of "at" is one. Words that could be
-/// read in both ways are refused.
+/// The words of "at". The name of a physical group may contain blanks, so that "at" as a whole may be one
+/// word; it is refused if both readings are possible.
 std::optional<std::vector<std::string>> words_of(const Fields& fields, const std::string& at,
                                                  const Shape& shape) {
   std::vector<std::string> words;
   std::istringstream stream(at);
   for (std::string word; stream >> word;) words.push_back(word);
-  if (words.size() < 2 || (!side_named(shape, at) && !in_vain(shape, at))) return words;
+  if (words.size() < 2 || (!side_named(shape, at) && !why_unusable(shape, at))) return words;
   if (std::all_of(words.begin(), words.end(), [&](const std::string& word) {
-        return side_named(shape, word) || in_vain(shape, word) || word == whole_body;
+        return side_named(shape, word) || why_unusable(shape, word) || word == whole_body;
       }))
     return fields.fault("at", fmt::format("{} is the name of a physical group, and several sides; expected "
                                           "the group's number, or another name for it",
@@ -79,7 +78,7 @@ std::optional<std::vector<std::string>> read_sides(const Fields& fields, const s
   const auto words = words_of(fields, at, shape);
   if (!words) return {};
   for (const std::string& word : *words) {
-    if (const auto why = in_vain(shape, word)) return fields.fault("at", *why), std::nullopt;
+    if (const auto why = why_unusable(shape, word)) return fields.fault("at", *why), std::nullopt;
     const std::optional<std::string> side = word == whole_body ? word : side_named(shape, word);
     if (!side)
       return fields.fault("at", fmt::format("unknown side {}; expected {}{}", in_quotes(word), one_of(known),
@@ -107,21 +106,21 @@ std::optional<std::vector<std::string>> read_sides(const Fields& fields, const s
 
 }  // namespace
 
-Key body_key() {
-  return {"body", "a text: the name of a body", "Which body.", false, "where the scene has several bodies"};
-}
-
-std::vector<Key> place_keys() {
-  return {
+std::vector<Key> place_keys(const std::vector<Key>& more) {
+  std::vector<Key> keys = {
       body_key(),
       {"at", "a text: sides of the body's shape, or \"all\"",
-       "\"x-\" is a side, \"x+ y+\" is where two sides meet, \"all\" the whole body; a physical group of a "
-       "mesh goes by its name or number.",
+       "The place. \"x-\" is one side, \"x+ y+\" the edge or corner where two sides meet, \"all\" the whole "
+       "body. A physical group of a mesh has its name or number. A rigid body has no places: the table acts "
+       "on its centre.",
        false, "unless \"point\" is given or the body is rigid"},
       {"point", key_holds::vector(dimension::length),
-       "In place of \"at\": the node or particle nearest to this point of the undeformed body."},
+       "Instead of \"at\": the node or particle that is nearest to this point of the undeformed body."},
       {"within", key_holds::corners(dimension::length),
-       "Of \"at\" only the points in the box between these corners, the lower one first."}};
+       "Restricts \"at\" to the points inside a box, in the undeformed body: its lower and its upper "
+       "corner."}};
+  keys.insert(keys.end(), more.begin(), more.end());
+  return keys;
 }
 
 std::optional<Place> read_place(Fields& fields, const Reading& reading) {
@@ -130,7 +129,7 @@ std::optional<Place> read_place(Fields& fields, const Reading& reading) {
   const bool both = fields.has("at") && fields.has("point");
   const bool by_point = fields.has("point");
   const bool rigid = body && reading.scene.bodies[*body].rigid;
-  // A body without a material is rigid, or a fault hides what it is.
+  // A body without a material is rigid, or has a fault.
   const bool needs_at = !by_point && body && !reading.scene.bodies[*body].material.empty();
   const auto at = fields.text("at", needs_at ? Need::required : Need::optional, expected);
   const auto point = fields.vector("point", Need::optional, dimension::length, reading.dim);
