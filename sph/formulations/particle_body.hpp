@@ -64,6 +64,7 @@ class ParticleBody : public Discretization {
   std::vector<Point> uniform_stress_areas() const;
   std::vector<std::string> warnings_;
   Options options_;
+  const Formulation& formulation_;
   Particles particles_;
   std::shared_ptr<const Shape> shape_;
   double thickness_, density_, wave_speed_;

@@ -3,6 +3,7 @@
 
 #include "model/material/spatial_state.hpp"
 #include "model/material/stiffening.hpp"
+#include "sph/formulations/stiffness_body_output.hpp"
 #include "sph/formulations/total_lagrangian.hpp"
 
 namespace femsph::sph {

@@ -81,8 +81,12 @@ struct Particles {
   double sign(std::size_t i, int a) const {
     return i < size() ? 1.0 : mirrored[i - size()].sign[std::size_t(a)];
   }
-  bool on_plane(std::size_t i, const MirrorPlane& plane) const {
-    return plane.holds(position[i], 1e-6 * spacing);
+  bool on_plane(const Point& x, const MirrorPlane& plane) const { return plane.holds(x, 1e-6 * spacing); }
+  /// v without its components normal to the symmetry planes that particle i lies on.
+  Point along_planes(std::size_t i, Point v) const {
+    for (const MirrorPlane& m : planes)
+      if (on_plane(position[i], m)) v[std::size_t(m.axis)] = 0;
+    return v;
   }
 };
 
