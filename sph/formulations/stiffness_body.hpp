@@ -1,6 +1,6 @@
 #pragma once
-// What TotalLagrangian has for every law and kinematics: the operator, the two passes, and the stiffness of
-// the undeformed elastic body. The compiler makes it once for each dimension, storage of stencils and
+// The part of TotalLagrangian that does not depend on law and kinematics: the operator, the two passes, and
+// the stiffness of the undeformed elastic body. It is compiled once for each dimension, storage form and
 // correction.
 
 #include "model/material/kinematics.hpp"
@@ -129,7 +129,7 @@ class StiffnessBody : public ParticleBody {
       for (int c = 0; c < dim; ++c) H[r][c] = load<Pack>(&h_[(block * dim * dim + r * dim + c) * lanes]);
     return H;
   }
-  /// theta of a block, whose gradient is kept.
+  /// Computes theta of a block, and stores its gradient.
   template <class Motion, bool with_scale>
   FEMSPH_INLINE void change_of_volume(std::size_t block, const double* u) const {
     Tensor<Pack, dim> H;
@@ -149,7 +149,7 @@ class StiffnessBody : public ParticleBody {
     });
     dilatation_->mirror_volume(particles_);
   }
-  /// The strain that the law is given, of the volumes known.
+  /// Turns the strain into the one that the law is given, from the changes of volume stored before.
   template <class Motion>
   FEMSPH_INLINE void enlarge([[maybe_unused]] std::size_t block,
                              [[maybe_unused]] Symmetric<Pack, dim>& strain) const {
@@ -174,7 +174,7 @@ class StiffnessBody : public ParticleBody {
     });
   }
 
-  /// Direction in which a bar pulls.
+  /// Unit vector along a bar.
   struct Pull {
     double at[dim];
   };
@@ -238,7 +238,7 @@ class StiffnessBody : public ParticleBody {
   GradientOperator<dim, Stencils, corrected> operator_;
   std::unique_ptr<PairViscosity<dim, Stencils>> viscosity_;
   double kappa_;                     ///< hourglass stiffness, Pa
-  mutable AlignedVector<double> q_;  ///< Q, as the stencils want it
+  mutable AlignedVector<double> q_;  ///< Q, in the layout of the stencils
   mutable AlignedVector<double> l_;  ///< L of the hourglass control, [block][component][lane]
   using Dilatations = MeanDilatation<typename Stencils::OneValue>;
   std::unique_ptr<Dilatations> dilatation_;  ///< only with the mean dilatation

@@ -1,5 +1,5 @@
 #pragma once
-// The rest of stiffness_body.hpp: where a corrected gradient belongs, and particles turned inside out.
+// The rest of stiffness_body.hpp: the places of gradients, and the check of det F.
 
 #include "sph/formulations/stiffness_body.hpp"
 
@@ -8,8 +8,8 @@ namespace femsph::sph {
 /// Of a field with second derivatives the corrected gradient of particle i is, to first order, that at x_i +
 /// s_i: the least-squares place
 ///   s_i = 1/(dim + 1) sum_j (G_ij . x_ij) x_ij,  G_ij = B_i w_ij;
-/// zero where the neighbours lie evenly, and into the body at its surface. An uncorrected gradient has an
-/// error of order 0 there and no such place.
+/// s_i is zero where neighbours are symmetric, and points into the body at its surface. An uncorrected
+/// gradient has an error of order 0 at the surface, and no such place.
 template <int dim, class Stencils, Correction correction>
 MaterialUnits StiffnessBody<dim, Stencils, correction>::material_units() const {
   MaterialUnits units = ParticleBody::material_units();
