@@ -143,7 +143,7 @@ std::optional<Stiffening> ExplicitFem::stiffening(const double* u) const {
         if constexpr (!Stiffens<LawType>)
           return std::nullopt;
         else {
-          const bool centre = element_ == Element::one_point;
+          const bool centre = loop_->points_per_cell() == 1;
           const Largest most = mesh_.dim == 2 ? stiffest_cell<2>(mesh_, batches_, u, centre, law)
                                               : stiffest_cell<3>(mesh_, batches_, u, centre, law);
           const std::size_t cell = cell_of(most.cell);

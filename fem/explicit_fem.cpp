@@ -15,23 +15,20 @@ namespace femsph::fem {
 
 namespace {
 
-const char* name_of(Element element) {
-  switch (element) {
-    case Element::full:
-      return "full integration";
-    case Element::sri:
-      return "selective reduced integration";
-    case Element::one_point:
-      return "one point";
-    case Element::assumed_strain:
-      return "assumed strain";
-  }
-  return "";
-}
-
 std::string in_short(double x) {
   char text[32];
   std::snprintf(text, sizeof text, "%g", x);
+  return text;
+}
+
+/// "fem-one-point and fem-assumed-strain"
+std::string methods_that_do_not_lock() {
+  std::vector<std::string> words;
+  for (const ElementEntry& entry : elements())
+    if (!entry.locks_in_volume) words.push_back(std::string("fem-") + entry.word);
+  std::string text;
+  for (std::size_t k = 0; k < words.size(); ++k)
+    text += (k == 0 ? "" : k + 1 == words.size() ? " and " : ", ") + words[k];
   return text;
 }
 
@@ -57,23 +54,9 @@ Layout interleaved(const Mesh& mesh, const Batches& batches) {
 
 }  // namespace
 
-std::unique_ptr<CellLoop> make_loop(Element element, const LoopInput& in) {
-  switch (element) {
-    case Element::full:
-      return make_full_loop(in);
-    case Element::sri:
-      return make_sri_loop(in);
-    case Element::one_point:
-      return in.hourglass ? make_perturbed_loop(in) : make_one_point_loop(in);
-    case Element::assumed_strain:
-      return make_assumed_strain_loop(in);
-  }
-  throw std::runtime_error("unknown element");
-}
-
 ExplicitFem::ExplicitFem(const Scene& scene, std::size_t body, const Options& options)
     : shape_(scene.bodies.at(body).shape),
-      element_(options.element),
+      element_(element_named(options.element)),
       hourglass_(options.hourglass),
       thickness_(scene.dim() == 2 ? scene.bodies[body].thickness : 1.0),
       plane_(scene.plane),
@@ -94,15 +77,15 @@ ExplicitFem::ExplicitFem(const Scene& scene, std::size_t body, const Options& op
   yields_ = material.yields();
   wave_speed_ = std::visit([](const auto& l) { return l.wave_speed(); }, law_);
   const auto make = options.loop ? options.loop : make_loop;
-  loop_ = make(element_, {&mesh_, &batches_, law_, thickness_, options.hourglass, scene.large_motion});
+  loop_ = make(element_.word, {&mesh_, &batches_, law_, thickness_, options.hourglass, scene.large_motion});
 }
 
 std::string ExplicitFem::describe() const {
   return "explicit FEM, " + std::to_string(mesh_.cell_count()) +
-         (mesh_.dim == 2 ? " quadrilaterals, " : " hexahedra, ") + name_of(element_) +
-         (element_ != Element::one_point ? ""
-          : hourglass_                   ? ", hourglass coefficient " + in_short(*hourglass_)
-                                         : ", physical stabilization") +
+         (mesh_.dim == 2 ? " quadrilaterals, " : " hexahedra, ") + element_.name +
+         (!element_.hourglass_control ? ""
+          : hourglass_                ? ", hourglass coefficient " + in_short(*hourglass_)
+                                      : std::string(", ") + element_.hourglass_control) +
          bars_text_;
 }
 
@@ -110,14 +93,11 @@ std::string ExplicitFem::describe() const {
 /// can give. Reduced shear changes nothing about that. In plane stress the thickness gives way.
 std::vector<std::string> ExplicitFem::warnings() const {
   const double poisson = std::visit([](const auto& l) { return l.elastic().poisson; }, law_);
-  if (plane_ == Plane::stress || (element_ != Element::full && element_ != Element::sri) ||
-      (poisson <= 0.45 && !yields_))
-    return {};
+  if (plane_ == Plane::stress || !element_.locks_in_volume || (poisson <= 0.45 && !yields_)) return {};
   std::string why = yields_ ? "plastic flow keeps the volume" : "";
   if (poisson > 0.45) why = "Poisson's ratio is " + in_short(poisson) + (yields_ ? ", and " + why : "");
-  return {why + ": " + name_of(element_) +
-          " locks in volume, and displacements may come out far too small; fem-assumed-strain and "
-          "fem-one-point do not"};
+  return {why + ": " + element_.name + " locks in volume, and displacements may come out far too small; " +
+          methods_that_do_not_lock() + " do not"};
 }
 
 std::size_t ExplicitFem::bytes() const {

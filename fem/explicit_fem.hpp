@@ -1,5 +1,5 @@
 #pragma once
-// The finite element discretization that the march sees.
+// The finite element discretization of a body for the explicit time loop.
 
 #include <optional>
 #include <span>
@@ -45,8 +45,9 @@ class ExplicitFem : public Discretization {
   }
   Point material_position(std::size_t point) const override;
   double material_volume(std::size_t point) const override;
-  /// Four or eight points a cell: each cell at p carries its values out to p, multilinear through its points,
-  /// and the mean of these cells counts. One point a cell: a linear fit to the cells around.
+  /// With 2^dim points a cell: each cell that contains p extrapolates its values to p, multilinearly through
+  /// its points, and the mean over these cells is taken. With one point a cell: a linear least-squares fit to
+  /// the cells around p.
   std::vector<Weight> material_interpolation(const Point& p) const override;
   MaterialUnits material_units() const override;
   void material_state(const double* u, std::span<const std::size_t> points,
@@ -55,7 +56,7 @@ class ExplicitFem : public Discretization {
 
  protected:
   std::shared_ptr<const Shape> shape_;
-  Element element_;
+  const ElementEntry& element_;
   std::optional<double> hourglass_;  ///< of Options
   double thickness_;
   Plane plane_;

@@ -1,7 +1,7 @@
 #pragma once
-// Bars in FEM: truss elements between the consecutive nodes of a row. A truss of length L that the bar covers
-// over a length l has the strain of bar_strain with g = (u_b - u_a) / L and the force A (l / L) sigma on its
-// ends, from the energy A l w(strain).
+// Reinforcing bars in FEM: truss elements between the consecutive nodes of a row. A truss between nodes a and
+// b at the distance L, of which the bar covers the length l <= L, has the strain bar_strain with g = (u_b -
+// u_a) / L, the energy A l w(strain), and so the force A (l / L) sigma on its ends.
 
 #include <vector>
 
@@ -30,12 +30,12 @@ class TrussBars {
     std::size_t node[2];
     std::size_t bar;
     int axis;
-    double area, length, gap;  ///< A, l, L
+    double area, length, gap;  ///< A, m^2; l and L, m
     Point middle;
     BarLaw law;
     BarState state;
   };
-  /// Strain of a truss and the direction in which its second end is pulled back.
+  /// Strain of a truss, and in `pull` the unit vector along it, from its first end to its second.
   double strain(const Truss& truss, const double* u, bool large, double (&pull)[3]) const;
   double strain(const Truss& truss, const double* u) const {
     double pull[3];

@@ -1,5 +1,5 @@
 #pragma once
-// The SPH room's door: options in, discretization out.
+// The public functions of sph: options in, discretization out.
 
 #include <memory>
 #include <string>
@@ -9,11 +9,11 @@
 
 namespace femsph::sph {
 
-/// Throws std::runtime_error with one sentence if the body cannot be discretized so.
+/// Throws Refusal, with one sentence, if the body cannot be discretized with these options.
 std::unique_ptr<Discretization> discretize(const Scene& scene, std::size_t body, const Options& options);
 
-/// What a free surface takes from the kernel sum (fig. 18 of the paper): 1 - S(top)/S(middle), where S =
-/// sum_j V_j W_ij, at the particles nearest to the middle of the body's y+ side and to the middle of the
+/// By how much the kernel sum S = sum_j V_j W_ij is smaller at a free surface than inside (fig. 18 of the
+/// paper): 1 - S(top)/S(middle), at the particles nearest to the middle of side y+ and to the middle of the
 /// body.
 double surface_weight_loss(const Scene& scene, std::size_t body, const Options& options);
 

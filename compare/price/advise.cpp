@@ -118,7 +118,7 @@ void find_limits(Advice& advice) {
 /// do not vanish.
 bool consistent(const Method& method) {
   const auto* sph = std::get_if<sph::Options>(&method.options);
-  return !sph || sph->formulation != sph::Formulation::classic;
+  return !sph || sph::formulation_named(sph->formulation).corrected;
 }
 
 /// Finds ladders of five rungs or more whose values do not converge: they change in one direction, without an

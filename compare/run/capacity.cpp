@@ -24,22 +24,17 @@ double bytes_of_unit(const Scene& scene, const Body& body, const Method& method)
   const bool plastic = scene.material_of(body).yields();
   const double remembered = plastic ? 8.0 * (2 * symmetric + 3) : 0.0;  // of a material point
   if (method.is_fem()) {
-    const bool one = std::get<fem::Options>(method.options).element == fem::Element::one_point;
-    return (dim == 2 ? 1300 : 2000) + remembered * (one ? 1 : 1 << dim);
+    const auto& element = fem::element_named(std::get<fem::Options>(method.options).element);
+    return (dim == 2 ? 1300 : 2000) + remembered * element.points[dim == 2 ? 0 : 1];
   }
   const auto& options = std::get<sph::Options>(method.options);
-  if (options.formulation == sph::Formulation::classic && scene.large_motion)
-    return (dim == 2 ? 1500 : 2000) + remembered;
-  const bool corrected = options.formulation == sph::Formulation::corrected,
-             scattered = options.jitter > 0 || sph::is_fitted(*body.shape, options);
+  const bool corrected = sph::formulation_named(options.formulation).corrected;
+  if (!corrected && scene.large_motion) return (dim == 2 ? 1500 : 2000) + remembered;
+  const bool scattered = options.jitter > 0 || sph::is_fitted(*body.shape, options);
   const double rows = scattered ? (dim == 2 ? 600 : 2200) * std::pow(options.smoothing / 1.2, dim) : 0.0;
   const double projected = corrected && options.projection ? 2 : 1;  // the rows of the adjoint are stored too
-  const bool mean = corrected && std::visit(
-                                     [&](const auto& law) {
-                                       return sph::wants_mean_dilatation(
-                                           options, law.elastic(), sph::flows_at_constant_volume(law));
-                                     },
-                                     scene.material_of(body).law(scene.plane));
+  const bool mean = corrected &&
+                    sph::wants_mean_dilatation(options, scene.material_of(body).law(scene.plane));
   const double averaged = mean ? (dim == 2 ? 60 : 110) + (scattered ? dim == 2 ? 160 : 520 : 0)
                                : 0;  // gradients, two values, their rows
   return (dim == 2 ? 1000 : 1200) + projected * rows + averaged + remembered;

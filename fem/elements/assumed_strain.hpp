@@ -1,5 +1,5 @@
 #pragma once
-// Assumed strain fields of Belytschko and Bindeman, free of shear and volumetric locking and of any tuning
+// Assumed strain fields of Belytschko and Bindeman, without shear or volumetric locking and without a
 // parameter:
 //   2D "ASQBI", Comput. Meth. Appl. Mech. Engng 88 (1991) 311-340; 3D, ibid. 105 (1993) 225-260.
 // strain = mean strain + sum over hourglass modes a of their gradients h_a,j times q_a = gamma_a . u, in the
@@ -9,15 +9,17 @@
 //     -nubar
 //   2 e_ij takes  h_a,j q_ai + h_a,i q_aj  from a = i and a = j (the twists);                 2D: nothing
 //   nubar = nu / (1 - nu), in plane stress nu.
-// Each bending mode so carries its own lateral strain: the lateral stress vanishes, and so does the trace as
-// nu -> 1/2. h_a,j is taken with the Jacobian of the centre and every Gauss point stands for V / 2^dim, so
-// the sum of h_a,j over the cell is exactly zero: mean strain and q never mix, and the patch test holds on
-// any cell.
+// So each bending mode has a lateral strain for which the lateral stress vanishes, and the trace of the
+// strain vanishes as nu -> 1/2. h_a,j is taken with the Jacobian of the centre, and every Gauss point has the
+// volume V / 2^dim. The sum of h_a,j over the cell is then exactly zero: mean strain and q do not couple, and
+// the patch test holds on any cell.
 //
-// Large motion: R, U from the mean deformation gradient, q is replaced by R^T q (see rotation.hpp): the
-// energy of a cell does not see a rigid motion, so momentum and angular momentum are exact.
+// Large motion: R and U are those of the mean deformation gradient, and R^T q replaces q (rotation.hpp). The
+// energy of a cell does not change in a rigid motion, so momentum and angular momentum are conserved exactly.
 
-#include "fem/elements/elements.hpp"
+#include "fem/elements/element.hpp"
+#include "fem/elements/mean_cell.hpp"
+#include "fem/elements/rotation.hpp"
 
 namespace femsph::fem {
 
@@ -36,7 +38,7 @@ struct AssumedField {
     if (a == 3 || a == j) return -nu;
     return a == 3 - i - j ? -nubar : 0;
   }
-  /// Calls body(m, a, p): xi_m times d xi_p / d x is the part of grad h_a that is linear in xi_m.
+  /// Calls body(m, a, p) for each term of grad h_a that is linear in a coordinate: xi_m d xi_p / d x.
   template <class Body>
   FEMSPH_INLINE static void each_linear(Body&& body) {
     if constexpr (dim == 2) {
@@ -74,7 +76,7 @@ struct AssumedField {
       }
   }
 
-  /// The adjoint of expand(): this holds the moments of the stress; Q works on q.
+  /// The adjoint of expand(): from the moments of the stress, which this field holds, the Q that works on q.
   FEMSPH_INLINE void collect(const Tensor<T, dim>& G, T (&Q)[modes][dim], double nu, double nubar) const {
     for (int a = 0; a < modes; ++a)
       for (int i = 0; i < dim; ++i) Q[a][i] = T{};
@@ -121,6 +123,10 @@ struct AssumedField {
 };
 
 struct AssumedStrainElement {
+  static constexpr ElementEntry entry{
+      .word = "assumed-strain",
+      .name = "assumed strain",
+      .about = "assumed strain at full integration: does not lock, and sees plastic bending inside a cell"};
   template <int dim>
   static constexpr int points = corners<dim>;
   static constexpr bool own_axes = true;

@@ -1,5 +1,6 @@
 #pragma once
-// The loop over cells, with its kernel chosen once: element x kinematics x law x dimension x scalar type.
+// The loop over the cells of a body. Its kernel is chosen once, when the body is discretized: by element,
+// kinematics, law, dimension and scalar type.
 
 #include <cstddef>
 #include <memory>
@@ -12,7 +13,7 @@
 
 namespace femsph::fem {
 
-/// One material point as the loop sees it, in the axes of space.
+/// The state of one material point, in the axes of space.
 struct Sample {
   std::size_t point;                     ///< cell * points per cell + number in the cell
   double volume;                         ///< m^dim, without the thickness
@@ -24,7 +25,7 @@ struct Sample {
 class CellLoop {
  public:
   virtual ~CellLoop() = default;
-  /// The step (s) that the next add_force() takes, for laws that ask for it.
+  /// The time step of the next add_force(), s, for laws that depend on the rate of strain.
   virtual void set_step(double) {}
   /// f += the internal force of the cells, ghost slots included; advances the state of the material.
   virtual void add_force(const double* u, double* f) = 0;
@@ -34,27 +35,24 @@ class CellLoop {
   /// The material points of cells begin .. end - 1, cell by cell, into `out`.
   virtual void samples(const double* u, std::size_t begin, std::size_t end, Sample* out) const = 0;
   virtual int points_per_cell() const = 0;
-  virtual bool equal_volumes() const = 0;
+  virtual bool equal_volumes() const = 0;  ///< of the material points of a cell
   virtual std::size_t bytes() const = 0;
-  /// What the law remembers of every material point.
+  /// Saves or restores the history of every material point.
   virtual void state(Archive& archive) = 0;
 };
 
-/// What a loop works on; the owner outlives it.
+/// What a loop works on. Mesh and batches must outlive the loop.
 struct LoopInput {
   const Mesh* mesh;
   const Batches* batches;
   Law law;
-  double thickness;
-  std::optional<double> hourglass;
+  double thickness;                 ///< m; 1 in 3D
+  std::optional<double> hourglass;  ///< of Options
   bool large_motion;
 };
 
-std::unique_ptr<CellLoop> make_full_loop(const LoopInput&);
-std::unique_ptr<CellLoop> make_sri_loop(const LoopInput&);
-std::unique_ptr<CellLoop> make_one_point_loop(const LoopInput&);
-std::unique_ptr<CellLoop> make_perturbed_loop(const LoopInput&);  ///< one point, by `hourglass`
-std::unique_ptr<CellLoop> make_assumed_strain_loop(const LoopInput&);
-std::unique_ptr<CellLoop> make_loop(Element element, const LoopInput&);
+/// The loop of the element of this word (elements()). Throws Refusal if there is none, or none for the
+/// material.
+std::unique_ptr<CellLoop> make_loop(const std::string& element, const LoopInput& in);
 
 }  // namespace femsph::fem

@@ -1,19 +1,20 @@
 #pragma once
-// The body of CellLoop, included by one source file per element.
+// The cell loop as a template of element, kinematics, law, dimension and scalar type.
 
 #include <algorithm>
 #include <vector>
 
 #include "fem/elements/cell_loop.hpp"
-#include "fem/elements/elements.hpp"
+#include "fem/elements/element.hpp"
 #include "fem/elements/gather.hpp"
+#include "fem/elements/mean_cell.hpp"
 #include "fem/elements/observers.hpp"
 #include "model/numerics/parallel.hpp"
 
 namespace femsph::fem {
 
-/// Axes of a cell: the orthonormal frame nearest to the directions of its sides (polar rotation of the unit
-/// tangents at the centre).
+/// The axes of a cell, as columns: the orthonormal frame nearest to the directions of its sides, the polar
+/// rotation of the unit tangents at the centre.
 template <int dim>
 Tensor<double, dim> cell_axes(const double* X) {
   const Modes<double, dim> m(X);
@@ -26,7 +27,7 @@ Tensor<double, dim> cell_axes(const double* X) {
   return polar_rotation<double, dim>(F);
 }
 
-/// What does not depend on the law: gathering, axes, and the elastic stiffness.
+/// The part of a loop that does not depend on the law: gathering, axes, and the elastic stiffness.
 template <class ElementType, int dim, class T>
 class StiffnessLoop : public CellLoop {
  public:
@@ -60,7 +61,7 @@ class StiffnessLoop : public CellLoop {
   static constexpr int size = dim * corners<dim>;
   static constexpr std::size_t block = corners<dim> * lanes;  ///< offsets per batch
 
-  /// Cells that batch b does one by one: all at once when T is a Pack.
+  /// How many times the kernel runs for batch b: once when T is a Pack, else once a cell.
   int lane_loops(std::size_t b) const {
     if constexpr (lanes_of<T> == lanes) return 1;
     return static_cast<int>(std::min<std::size_t>(lanes, batches_.cells - b * lanes));
@@ -84,7 +85,7 @@ class StiffnessLoop : public CellLoop {
     }
   }
 
-  /// Columns of the result are the axes of the cell (the unit axes of space when the element asks for none).
+  /// The axes of the cell as columns; those of space if the element does not use the axes of the cell.
   template <class S>
   FEMSPH_INLINE Tensor<S, dim> axes(std::size_t b, int lane) const {
     Tensor<S, dim> R;
@@ -207,7 +208,7 @@ class Loop final : public StiffnessLoop<ElementType, dim, T> {
     for (int k = 0; k < state_size; ++k) state[k] = load<S>(&state_[(b * state_size + k) * lanes + lane]);
   }
 
-  /// Shows the material points of a cell (or of eight) to the observer, and leaves the state alone.
+  /// Passes the material points of a cell (or of eight) to the observer; does not change the state.
   template <class S, class Observer>
   void observe_cell(const double* u, std::size_t b, int lane, Observer& observer) const {
     S f[size], state[state_size + 1];
@@ -228,9 +229,9 @@ class Loop final : public StiffnessLoop<ElementType, dim, T> {
   AlignedVector<double> state_;  ///< (batch * state_size + value) * lanes + lane
 };
 
-/// Chooses the loop of an element once: law, kinematics, dimension. T = double makes the scalar form, which
-/// runs one cell at a time and which only tests ask for; laws of large motion alone have none, to spare the
-/// compiler.
+/// The loop of an element for this law, kinematics and dimension. T = double makes the scalar form, one cell
+/// at a time, for tests. Laws for large motion alone have no scalar form, to save compile time. Throws
+/// Refusal if there is no such loop.
 template <class ElementType, class T = Pack>
 std::unique_ptr<CellLoop> choose_loop(const LoopInput& in) {
   return std::visit(

@@ -1,6 +1,6 @@
 #pragma once
-// Between interleaved nodal vectors and the registers of a batch. `at` holds the offsets of one batch, corner
-// by corner, lane by lane.
+// Copies values between interleaved nodal vectors and the registers of a batch. `at` holds the offsets of one
+// batch: [corner][lane].
 
 #include "fem/mesh/gauss.hpp"
 
@@ -10,7 +10,7 @@ using Pair = double __attribute__((vector_size(16)));
 
 FEMSPH_INLINE Pair load_pair(const double* p) { return load_unaligned<Pair>(p); }
 
-/// First and second of eight pairs: 16-byte loads, then two shuffles.
+/// The first and the second values of eight pairs, by 16-byte loads and shuffles.
 FEMSPH_INLINE void load_pairs(const double* v, const int* at, Pack& first, Pack& second) {
   const auto four = [&](int l) __attribute__((always_inline)) {
     const auto a = __builtin_shufflevector(load_pair(v + at[l]), load_pair(v + at[l + 1]), 0, 1, 2, 3);
@@ -22,7 +22,8 @@ FEMSPH_INLINE void load_pairs(const double* v, const int* at, Pack& first, Pack&
   second = __builtin_shufflevector(low, high, 1, 3, 5, 7, 9, 11, 13, 15);
 }
 
-/// x[corner * dim + component] of the eight cells (`lane` is of no use then), or of the one in `lane`.
+/// x[corner * dim + component] of all eight cells (Pack; the lane is ignored), or of the cell in `lane`
+/// (double).
 template <int dim>
 FEMSPH_INLINE void gather(const double* v, const int* at, int, Pack* x) {
 #pragma GCC unroll 8
@@ -41,7 +42,7 @@ FEMSPH_INLINE void gather(const double* v, const int* at, int lane, double* x) {
     for (int c = 0; c < dim; ++c) x[a * dim + c] = v[at[a * lanes + lane] + c];
 }
 
-/// v += factor f, lane after lane: lanes may share nodes.
+/// v += factor f, one lane after the other, since lanes may share nodes.
 template <int dim>
 FEMSPH_INLINE void scatter_add(const Pack* f, double factor, const int* at, int, double* v) {
 #pragma GCC unroll 8

@@ -2,14 +2,14 @@
 // The Q1 cell as a uniform gradient plus hourglass modes (Flanagan and Belytschko, Int. J. Numer. Meth. Engng
 // 17, 1981). Any nodal field is x(xi) = x_0 + sum_d x_d xi_d + sum_a x_a h_a(xi), with the hourglass shapes h
 // = xi eta in 2D and h_1 = eta zeta, h_2 = zeta xi, h_3 = xi eta, h_4 = xi eta zeta in 3D. The volume average
-// of its gradient is, exactly,
+// of its gradient is exactly
 //   L = (2^dim / V) (sum_d x_d (x) c_d + sum_a x_a (x) g_a)
 //   2D: c_d the cofactors of the centre, g = 0
 //   3D: c_d = A_d+1 x A_d+2 + S_d+2 x S_d+1 / 3,  g_a = (A_a+2 x S_a+1 + S_a+2 x A_a+1) / 3,  g_4 = 0
 //   (indices cyclic)
-// where A_d and S_a are the coefficients of the geometry: integrate det J d xi_d/dX over the cube term by
-// term. gamma_a . u = u_a - L S_a is what is left of mode a when the linear part is taken out: zero for every
-// linear field.
+// where A_d and S_a are the coefficients x_d and x_a of the geometry: integrate det J d xi_d/dX over the
+// reference cube term by term. gamma_a . u = u_a - L S_a is mode a without the part that belongs to the
+// linear field: zero for every linear field.
 
 #include "fem/mesh/gauss.hpp"
 
@@ -18,14 +18,34 @@ namespace femsph::fem {
 template <int dim>
 inline constexpr int hourglass_modes = dim == 2 ? 1 : 4;
 
-/// Sign pattern of mode a: which directions it multiplies.
+/// Bit d is set if mode a varies along direction d.
 template <int dim>
 constexpr int mode_mask(int a) {
   if constexpr (dim == 2) return 3;
   return a == 3 ? 7 : 7 ^ (1 << a);
 }
 
-/// Coefficients of one nodal vector field: linear[d][c], mode[a][c].
+/// Sums and differences of corner values along each direction in turn (the fast Walsh-Hadamard transform), or
+/// the transposed transform.
+template <bool transposed, class T, int n>
+FEMSPH_INLINE void hadamard(T (&y)[n]) {
+#pragma GCC unroll 3
+  for (int b = 1; b < n; b <<= 1)
+#pragma GCC unroll 8
+    for (int a = 0; a < n; ++a)
+      if (!(a & b)) {
+        const T first = y[a], second = y[a | b];
+        if constexpr (transposed) {
+          y[a] = first - second;
+          y[a | b] = first + second;
+        } else {
+          y[a] = first + second;
+          y[a | b] = second - first;
+        }
+      }
+}
+
+/// Coefficients of one nodal vector field: linear[d][component], mode[a][component].
 template <class T, int dim>
 struct Modes {
   Tensor<T, dim> linear;
@@ -38,21 +58,13 @@ struct Modes {
     for (int c = 0; c < dim; ++c) {
       T y[n];
       for (int a = 0; a < n; ++a) y[a] = x[a * dim + c];
-#pragma GCC unroll 3
-      for (int b = 1; b < n; b <<= 1)
-#pragma GCC unroll 8
-        for (int a = 0; a < n; ++a)
-          if (!(a & b)) {
-            const T low = y[a], high = y[a | b];
-            y[a] = low + high;
-            y[a | b] = high - low;
-          }
+      hadamard<false>(y);
       for (int d = 0; d < dim; ++d) linear[d][c] = y[1 << d] * (1.0 / n);
       for (int a = 0; a < hourglass_modes<dim>; ++a) mode[a][c] = y[mode_mask<dim>(a)] * (1.0 / n);
     }
   }
 
-  /// The adjoint: what acts on the coefficients becomes what acts on the nodes.
+  /// The adjoint: forces on the coefficients become nodal forces.
   FEMSPH_INLINE void nodal(T* f) const {
     constexpr int n = corners<dim>;
 #pragma GCC unroll 3
@@ -61,15 +73,7 @@ struct Modes {
       y[0] = T{};
       for (int d = 0; d < dim; ++d) y[1 << d] = linear[d][c] * (1.0 / n);
       for (int a = 0; a < hourglass_modes<dim>; ++a) y[mode_mask<dim>(a)] = mode[a][c] * (1.0 / n);
-#pragma GCC unroll 3
-      for (int b = 1; b < n; b <<= 1)
-#pragma GCC unroll 8
-        for (int a = 0; a < n; ++a)
-          if (!(a & b)) {
-            const T even = y[a], odd = y[a | b];
-            y[a] = even - odd;
-            y[a | b] = even + odd;
-          }
+      hadamard<true>(y);
       for (int a = 0; a < n; ++a) f[a * dim + c] = y[a];
     }
   }
@@ -126,7 +130,8 @@ struct MeanCell {
       }
   }
 
-  /// The adjoint of strain(): P (times volume) works on L, Q on q.
+  /// The adjoint of strain(): nodal forces of P, the stress times the volume that works on L, and of Q, which
+  /// works on q.
   FEMSPH_INLINE void force(const Tensor<T, dim>& P, const T (&Q)[modes][dim], T* f) const {
     Modes<T, dim> m;
     for (int i = 0; i < dim; ++i) {
@@ -149,7 +154,7 @@ struct MeanCell {
     m.nodal(f);
   }
 
-  /// sum over corners and components of (dN/dX)^2, N's mean gradient.
+  /// Sum over corners and components of the squared mean gradient of the shape functions, 1/m^2.
   FEMSPH_INLINE T gradient_square() const {
     T s = T{};
     for (int d = 0; d < dim; ++d)

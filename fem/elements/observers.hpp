@@ -1,14 +1,13 @@
 #pragma once
-// What can be asked of the material points while a kernel runs on one cell: their energy, their stress and
-// strain.
+// Observers of the material points while a kernel runs: one sums energies, one collects stress and strain.
 
 #include "fem/elements/cell_loop.hpp"
-#include "fem/elements/elements.hpp"
+#include "fem/elements/element.hpp"
 #include "model/material/spatial_state.hpp"
 
 namespace femsph::fem {
 
-/// Of one cell at a time, or of eight (S = Pack).
+/// Sums energies over one cell at a time (S = double) or over eight (S = Pack), J per thickness.
 template <class LawType, int dim, class S>
 struct EnergyObserver {
   const CellMaterial<LawType>& material;
@@ -54,7 +53,7 @@ struct SampleObserver {
   }
 
  private:
-  /// Normal to the plane; 0 in space.
+  /// Components normal to the plane; 0 in 3D.
   struct Across {
     double stress = 0, strain = 0;
   };

@@ -1,6 +1,7 @@
 #pragma once
-// What holds the hourglass modes q = gamma . u of a one-point cell (mean_cell.hpp). Two controls; each adds
-// its nodal forces Q = dW/dq, and its energy W goes to the hourglass account.
+// The one-point element: the mean strain at one material point, and a control of the hourglass modes q =
+// gamma . u, which the mean strain does not contain (mean_cell.hpp). There are two controls. Each adds its
+// nodal forces Q = dW/dq, and its energy W counts as hourglass energy.
 //
 // PhysicalStabilization, without a parameter: the energy of the strains that are linear over the cell,
 // assumed in its natural axes as in the hybrid elements of Pian & Sumihara (Int. J. Numer. Meth. Engng 20
@@ -9,37 +10,47 @@
 //   2D  W = V/6 Eb (s_0^2 + s_1^2)
 //   3D  W = V/6 sum_m { Eb (s_fe^2 + s_ef^2 + 2 nu s_fe s_ef) + mu (l_e s_ee + l_f s_ff)^2 / (l_e l_f) } +
 //   V/18 E sum_d s_4d^2,
-//       e = m + 1, f = m + 2 (cyclic): bending to both sides across axis m, the twist of that plane, and the
-//       mode xi eta zeta.
-// Eb is Young's modulus of bending, E / (1 - nu^2), in plane stress E: the stress normal to the fibres
-// vanishes, so nothing grows without bound as nu -> 1/2. On a rectangle or a box these are the assumed
-// strains of assumed_strain.hpp to the last term (there is no A_d . A_e), on a parallelogram Pian &
-// Sumihara's stiffness, exact in pure bending.
+//       e = m + 1, f = m + 2 (cyclic): bending in both directions of the plane normal to axis m, the twist of
+//       that plane, and the mode xi eta zeta.
+// Eb is the modulus of bending, E / (1 - nu^2), in plane stress E. The stress normal to the fibres vanishes,
+// so the stiffness stays bounded as nu -> 1/2. On a rectangle or a box these are exactly the assumed strains
+// of assumed_strain.hpp (there A_d . A_e = 0), on a parallelogram the stiffness of Pian & Sumihara, which is
+// exact in pure bending.
 //
-// Large motion: A_d turns with the R of the mean deformation gradient. W depends on R^T q alone, so it does
-// not see a rigid motion; what the turn of R does to it is balanced by the couple of rotation.hpp, and
-// angular momentum is kept to round-off.
+// Large motion: A_d rotates with the R of the mean deformation gradient. W depends on R^T q alone, so it is
+// zero in a rigid motion. The change of R is balanced by the couple of rotation.hpp, which conserves angular
+// momentum to round-off.
 //
-// Plastic laws, by deformation theory. Where the cell's point has flowed, its moduli fall to the secant's,
-// times rho = Y / (Y + 3 mu p); what W loses as p grows goes to the point's plastic work. And a fibre does
-// not carry more than the yield stress: once the linear strains would bring the edges of the cell to it (x =
-// 1, x^2 = rho W / (V w_y), w_y = sigma^2 / (6 Eb)), the moment follows that of an ideally plastic
-// rectangular section by its curvature, M / M_y = 3/2 - 1/(2 x^2), up to 3/2 M_y. Below that, and with p = 0,
-// a plastic body is held as an elastic one.
+// Plastic laws, by deformation theory. Where the cell's point has flowed, the moduli are reduced to the
+// secant moduli, times rho = Y / (Y + 3 mu p). The energy that W loses as p grows is added to the plastic
+// work of the point. A fibre carries at most the yield stress sigma (hourglass_moduli.hpp): from x = 1 on,
+// where the linear strains bring the edges of the cell to yield, x^2 = rho W / (V w_y), w_y = sigma^2 / (6
+// Eb), the moment is that of an ideally plastic rectangular section, M / M_y = 3/2 - 1/(2 x^2) with x the
+// curvature over that at first yield. For x < 1 and p = 0 the control is the elastic one.
 
-#include "fem/elements/elements.hpp"
+#include "fem/elements/element.hpp"
+#include "fem/elements/mean_cell.hpp"
+#include "fem/elements/rotation.hpp"
 
 namespace femsph::fem {
 
-/// What plastic flow has left of the moduli, and what it took of them in this step.
+/// A law that flows by von Mises' rule and keeps its plastic work, J/m^3, in the slot `work` of its history.
+template <class LawType>
+concept MisesPlastic = requires(const LawType& law) {
+  LawType::plasticity(law.parameters);
+  LawType::work;
+};
+
+/// By how much plastic flow has reduced the moduli of a point.
 template <class T>
 struct Softening {
-  T ratio, drop;
+  T ratio;  ///< rho: secant over elastic modulus
+  T drop;   ///< of rho in this step
 };
 
 struct PhysicalStabilization {
   static constexpr bool softens = true;
-  /// q becomes Q; P, which works on the mean gradient of the whole cell, takes the couple of Q.
+  /// Replaces q by Q, and adds the couple of Q to P, the stress that works on the mean gradient.
   template <class Kinematics, class LawType, class T, int dim, class Frame, class Observer>
   FEMSPH_INLINE static void apply(
       const HourglassModuli& moduli, const MeanCell<T, dim>& cell, [[maybe_unused]] const Frame& frame,
@@ -74,7 +85,7 @@ struct PhysicalStabilization {
     T energy = T{};
     for (int a = 0; a < modes; ++a)
       for (int d = 0; d < dim; ++d) energy += 0.5 * tau[a][d] * s[a][d];
-    if constexpr (std::is_same_v<LawType, Plastic>) {
+    if constexpr (MisesPlastic<LawType>) {
       const T per_volume = cell.scale * (1.0 / corners<dim>);  // 1/V
       T factor = soft.ratio, slope = energy;                   // slope = dW / d rho
       const T x2 = factor * factor * energy * per_volume * (1 / moduli.yield_energy);
@@ -89,7 +100,7 @@ struct PhysicalStabilization {
       }
       for (int a = 0; a < modes; ++a)
         for (int d = 0; d < dim; ++d) tau[a][d] *= factor;
-      if (any(soft.drop > 0.0)) history[Plastic::work] += slope * soft.drop * per_volume;
+      if (any(soft.drop > 0.0)) history[LawType::work] += slope * soft.drop * per_volume;
     }
     observer.hourglass(energy);
 
@@ -172,9 +183,9 @@ struct PhysicalStabilization {
 
 /// Stiffness control of Flanagan and Belytschko (1981) with a coefficient: per mode and component
 ///   W = 1/2 k 2^dim q^2,  k = coefficient M V sum_aI (dN_I/dx_a)^2,
-/// (lambda + 2 mu) V sum (dN/dx)^2 being their bound on the stiffness of the mean strain itself; M: see
-/// hourglass_modulus. It does not ask which way q points, so it is objective as it is. It perturbs: the
-/// coefficient is chosen, and cells that carry bending alone are as stiff as it says.
+/// with M of hourglass_modulus; (lambda + 2 mu) V sum (dN/dx)^2 is their bound on the stiffness of the mean
+/// strain. W depends on the length of q alone, so it is objective. The coefficient is a choice: a cell in
+/// pure bending is as stiff as the coefficient says.
 struct PerturbationControl {
   static constexpr bool softens = false;
   template <class Kinematics, class LawType, class T, int dim, class Frame, class Observer>
@@ -192,7 +203,7 @@ struct PerturbationControl {
   }
 };
 
-/// Mean gradient, one material point, and a control of the hourglass modes that it does not see.
+/// Mean gradient, one material point, and a control of the hourglass modes.
 template <class Control>
 struct OnePoint {
   template <int dim>
@@ -211,11 +222,11 @@ struct OnePoint {
     const auto frame = Kinematics::template strain<T, dim>(L, strain);
     T* const history = history_of<LawType, dim>(state);
     Softening<T> soft{broadcast<T>(1.0), T{}};
-    if constexpr (Control::softens && std::is_same_v<LawType, Plastic>)
-      soft.drop = -history[Plastic::equivalent_strain];
+    if constexpr (Control::softens && MisesPlastic<LawType>)
+      soft.drop = -material.law.plastic_strain(history);
     const auto stress = advance_law<LawType, T, dim, Kinematics>(material.law, strain, state);
-    if constexpr (Control::softens && std::is_same_v<LawType, Plastic>)
-      flow(material.law, history[Plastic::equivalent_strain], soft);
+    if constexpr (Control::softens && MisesPlastic<LawType>)
+      soften(material.law, material.law.plastic_strain(history), soft);
     observer.point(0, cell.volume, frame, strain, stress, history);
     Kinematics::template piola<T, dim>(frame, strain, stress, P);
     for (int i = 0; i < dim; ++i)
@@ -226,20 +237,27 @@ struct OnePoint {
   }
 
  private:
-  /// rho = Y / (Y + 3 mu p), d rho / dp = -3 mu Y_0 / (Y + 3 mu p)^2. On entry `drop` is minus the plastic
-  /// strain before the step.
-  template <class T>
-  FEMSPH_INLINE static void flow(const Plastic& law, const T& p, Softening<T>& soft) {
+  /// rho = Y / (Y + 3 mu p), d rho / dp = -3 mu Y_0 / (Y + 3 mu p)^2, p the plastic strain now. On entry
+  /// `drop` is minus the plastic strain before the step.
+  template <class LawType, class T>
+  FEMSPH_INLINE static void soften(const LawType& law, const T& p, Softening<T>& soft) {
     soft.drop += p;
     if (!any(p > 0.0)) return;
-    const T yield = law.parameters.yield + law.parameters.hardening * p,
-            r = 1.0 / (yield + 3 * law.base.mu * p);
+    const Plasticity& plasticity = *LawType::plasticity(law.parameters);
+    const double mu = law.elastic().mu;
+    const T yield = plasticity.yield + plasticity.hardening * p, r = 1.0 / (yield + 3 * mu * p);
     soft.ratio = yield * r;
-    soft.drop *= 3 * law.base.mu * law.parameters.yield * r * r;
+    soft.drop *= 3 * mu * plasticity.yield * r * r;
   }
 };
 
-using OnePointElement = OnePoint<PhysicalStabilization>;
-using PerturbedElement = OnePoint<PerturbationControl>;
+struct OnePointElement : OnePoint<PhysicalStabilization> {
+  static constexpr ElementEntry entry{
+      .word = "one-point",
+      .name = "one point",
+      .about = "one point a cell, bending and twist by a physical stabilization; does not lock, cheapest",
+      .hourglass_control = "physical stabilization"};
+  using Controlled = OnePoint<PerturbationControl>;
+};
 
 }  // namespace femsph::fem

@@ -1,18 +1,19 @@
 #pragma once
-// The moment balance of a co-rotated strain measure. With F = R U and a work expression
-//   dE = T : dU + (terms in R^T q, q a vector that is not part of F), Omega = R^T dR,
-// one finds dE = T : (R^T dF) - Omega : M with M = T U + sum S (x) R^T q and S the derivative by R^T q. Omega
-// follows from
-//   Omega U + U Omega = R^T dF - (R^T dF)^T,   axial: (tr U 1 - U) omega = ax(R^T dF),
-// so the stress that works on R^T dF is T + Z with a skew Z. It vanishes when M is symmetric (T coaxial with
-// U, no q). A force built so is the exact adjoint of strains that do not see a rigid rotation: its moment is
-// zero for any law.
+// The moment balance of a co-rotated strain measure. Let F = R U, and let the energy E depend on U and on
+// vectors R^T q that are not part of F: dE = T : dU + sum S . d(R^T q). With Omega = R^T dR this is
+//   dE = T : (R^T dF) - Omega : M + (terms in dq),   M = T U + sum S (x) R^T q,
+// and Omega follows from
+//   Omega U + U Omega = R^T dF - (R^T dF)^T,   axial vectors: (tr U 1 - U) omega = ax(R^T dF).
+// So the stress that works on R^T dF is T + Z with a skew Z, which vanishes if M is symmetric (T coaxial with
+// U, no q). Such a force is the exact adjoint of strains that vanish in a rigid rotation: its moment is zero
+// for any law.
 
 #include "model/numerics/tensor.hpp"
 
 namespace femsph::fem {
 
-/// The Z of M's axial part (M[1][0] - M[0][1]; in space M[2][1] - M[1][2] and so on): of a pair, q x S.
+/// Z from the axial vector of M: M[1][0] - M[0][1] in 2D; M[2][1] - M[1][2] and so on in 3D. A term S (x) R^T
+/// q of M has the axial vector q x S.
 template <class T>
 FEMSPH_INLINE Tensor<T, 2> axial_couple(const Symmetric<T, 2>& U, const T& axial) {
   const T z = axial / trace(U);

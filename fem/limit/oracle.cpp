@@ -84,7 +84,7 @@ class Oracle final : public ExplicitFem {
 }  // namespace
 
 std::unique_ptr<Discretization> make_oracle(const Scene& scene, std::size_t body, const Options& options) {
-  if (options.element != Element::full || scene.large_motion || !scene.bars.empty())
+  if (options.element != "full" || scene.large_motion || !scene.bars.empty())
     throw std::runtime_error("the FEValues oracle knows the full element in small strain without bars only");
   if (scene.dim() == 2) return std::make_unique<Oracle<2>>(scene, body, options);
   return std::make_unique<Oracle<3>>(scene, body, options);

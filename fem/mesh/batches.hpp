@@ -1,9 +1,9 @@
 #pragma once
-// How the cells are dealt to SIMD lanes and threads. A batch is eight cells, corner by corner; a domain is a
-// fixed run of batches (its size depends on nothing but the dimension). A node first touched by another
-// domain is a ghost: the domain adds to a slot of its own behind the nodes, and the slots are summed
-// afterwards in domain order. So no two threads write one slot, and the result does not depend on how many
-// there are.
+// How cells are distributed over SIMD lanes and threads. A batch is eight cells, one in each lane. A domain
+// is a fixed number of consecutive batches. A node belongs to the first domain that has it. Other domains add
+// their part to ghost slots behind the nodes, one for each domain and node, and the ghost slots are summed
+// afterwards in the order of the domains. So no two threads write to one slot, and the result does not depend
+// on the number of threads.
 
 #include <cstddef>
 #include <vector>
@@ -18,12 +18,13 @@ inline constexpr std::size_t batches_per_domain = 512;
 
 struct Batches {
   std::size_t count = 0;
-  std::size_t cells = 0;  ///< lanes beyond the last cell repeat it, and scatter into a slot that nobody reads
+  std::size_t cells = 0;      ///< lanes beyond the last cell repeat it and scatter into the padding slot
   AlignedVector<int> gather;  ///< offset of the corner's values: (batch * corners + corner) * lanes + lane
   AlignedVector<int> scatter;
-  std::size_t slots = 0;  ///< nodes, ghost slots and the slot of the padding lanes
+  std::size_t slots = 0;  ///< nodes, ghost slots, and last the padding slot, which is never read
 
-  /// Ghost slots by node: node[i] also owns slot[begin[i]] .. slot[begin[i + 1] - 1].
+  /// Ghost slots of a node: those of shared_node[i] are shared_slot[k], shared_begin[i] <= k <
+  /// shared_begin[i + 1].
   std::vector<int> shared_node, shared_begin, shared_slot;
 
   explicit Batches(const Mesh& mesh);

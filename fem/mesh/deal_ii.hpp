@@ -1,5 +1,5 @@
 #pragma once
-// The module that deal.II is linked to (limit/): its table of functions.
+// The functions of the module that links deal.II (fem/limit/).
 
 #include <array>
 #include <memory>

@@ -1,7 +1,8 @@
 #pragma once
-// The Q1 cell at its 2^dim Gauss points, by sum factorisation. Corners and points are lexicographic: bit d of
-// the number says which end (or which point) along direction d. T is double or Pack. A derivative along
-// direction d does not vary along d, so it is kept once per line of points: 2^(dim-1) values.
+// The Q1 cell at its 2^dim Gauss points, by sum factorization. Corners and points are numbered
+// lexicographically: bit d of the number says at which end (or which point) along direction d. T is double or
+// Pack. A derivative along direction d is constant along d, so it is stored once for each line of points:
+// 2^(dim-1) values.
 
 #include "model/numerics/tensor.hpp"
 
@@ -19,11 +20,11 @@ constexpr int line_of(int d, int q) {
   return ((q >> ((d + 1) % 3)) & 1) + 2 * ((q >> ((d + 2) % 3)) & 1);
 }
 
-/// One nodal component seen from the Gauss points: D[d][line] = d x / d xi_d.
+/// Derivatives of one nodal component at the Gauss points: D[d][line] = d x / d xi_d.
 template <class T, int dim>
 using Derivatives = T[dim][corners<dim> / 2];
 
-/// Values at the two ends of a segment -> values at its two Gauss points. It is its own adjoint.
+/// Turns the values at the ends of a segment into those at its two Gauss points. It is its own adjoint.
 template <class T>
 FEMSPH_INLINE void to_gauss(T& low, T& high) {
   const T mean = 0.5 * (low + high), slope = (0.5 * gauss_point) * (high - low);
@@ -128,7 +129,7 @@ struct GaussCell {
   }
 };
 
-/// Collects det J P at the Gauss points and turns it into nodal forces, f_a = sum_q det J P grad N_a.
+/// Sums det J P at the Gauss points and makes nodal forces of it, f_a = sum_q det J P grad N_a.
 template <class T, int dim>
 struct GaussForce {
   Derivatives<T, dim> D[dim]{};

@@ -1,5 +1,6 @@
 #pragma once
-// Plain geometry of the mesh, needed once: shape functions, lumped masses, edges, and the shares of places.
+// Geometry of the mesh at set-up and for output: shape functions, lumped masses, edges, and the weights of
+// places.
 
 #include <span>
 #include <vector>
@@ -15,16 +16,16 @@ std::array<double, 8> shape_functions(int dim, const Point& xi);
 Point map_point(const Mesh& mesh, std::size_t cell, const Point& xi);
 /// Reference coordinates of Gauss point q.
 Point gauss_coordinates(int dim, int q);
-/// det d X / d xi there.
+/// det dX/dxi at Gauss point q.
 double jacobian(const Mesh& mesh, std::size_t cell, int q);
 
 /// Row-sum lumping, m_a = integral of density N_a: exact total mass and first moment.
 std::vector<double> lumped_mass(const Mesh& mesh, double density, double thickness);
 double shortest_edge(const Mesh& mesh);
 
-/// Nodes of a place with the share of a unit total force that a uniform traction gives each: over the facets
-/// on one side, along the edges on two sides of a solid, in equal parts on corners; the nearest node of a
-/// point; by mass over a whole body.
+/// The nodes of a place, each with its share of a unit force: for a side the share of a uniform traction over
+/// its facets, for two sides of a solid that over its edges, for corners equal parts, for a point the nearest
+/// node alone, for a whole body the share of its mass. `tolerance`: m.
 std::vector<Weight> place_weights(const Mesh& mesh, const Shape& shape, const Place& place,
                                   std::span<const double> mass, double tolerance);
 

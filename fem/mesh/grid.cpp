@@ -1,5 +1,6 @@
 #include "fem/mesh/grid.hpp"
 
+#include <set>
 #include <string>
 #include <utility>
 
@@ -86,6 +87,19 @@ std::optional<CellMesh> given_cells(const Shape& shape, const std::array<int, 3>
   if (std::optional<CellMesh> cut = shape.cut(divisions)) return cut;
   throw Refusal("FEM has no mesh for a " + shape.describe() +
                 "; give it as a body that comes with its own cells (shape = \"mesh\")");
+}
+
+bool edges_agree(const CellMesh& grid) {
+  std::set<std::pair<int, int>> seen;
+  for (const auto& cell : grid.cells)
+    for (int d = 0; d < grid.dim; ++d)
+      for (int a = 0; a < 1 << grid.dim; ++a) {
+        if (a >> d & 1) continue;
+        const int from = cell[a], to = cell[a | 1 << d];
+        if (seen.count({to, from})) return false;
+        seen.insert({from, to});
+      }
+  return true;
 }
 
 CellMesh make_grid(const Shape& shape, const std::array<int, 3>& divisions) {

@@ -1,5 +1,6 @@
 #pragma once
-// Finds the cell that holds a point: cells in the bins of a grid, then Newton's method on the bilinear map.
+// Finds the cell that contains a point: candidates from a grid of bins, then Newton's method for the
+// reference coordinates.
 
 #include <vector>
 
@@ -9,18 +10,18 @@ namespace femsph::fem {
 
 class Locator {
  public:
-  /// `slack`: how far (in cells) a point may lie outside and still have the value of the nearest place, for
-  /// bodies whose curved sides the mesh cuts straight.
+  /// `slack`: how far outside of the mesh (in cells) a point may lie and still take the values of the nearest
+  /// point of the mesh; for bodies with curved sides, which the mesh replaces by straight edges.
   explicit Locator(const Mesh& mesh, double slack = 0);
   struct Found {
     std::size_t cell;
     Point xi;  ///< reference coordinates, in [-1, 1]
   };
-  /// Throws std::runtime_error when the point lies outside by more than 1e-6 of a cell, or the slack: nothing
-  /// is extrapolated.
+  /// Throws Refusal if the point lies outside by more than 1e-6 of a cell, or by more than the slack: values
+  /// are not extrapolated.
   Found find(const Point& p) const;
-  /// Every cell that holds the point, within the same tolerance: several on a common side or corner. Throws
-  /// as find does.
+  /// Every cell that contains the point within that tolerance; several if it lies on a common side or corner.
+  /// Throws as find() does.
   std::vector<Found> find_all(const Point& p) const;
   std::size_t bytes() const { return sizeof(int) * (begin_.capacity() + cells_.capacity()); }
 
@@ -34,10 +35,10 @@ class Locator {
   }
   const Mesh& mesh_;
   double slack_;
-  Point lower_, size_;  ///< of the grid; of a bin
+  Point lower_, size_;  ///< lower corner of the grid of bins; size of a bin, m
   std::array<int, 3> count_{1, 1, 1};
   std::vector<int> begin_,
-      cells_;  ///< cells that touch bin b: cells_[begin_[b]] .. cells_[begin_[b + 1] - 1]
+      cells_;  ///< cells that overlap bin b: cells_[begin_[b]] .. cells_[begin_[b + 1] - 1]
 };
 
 }  // namespace femsph::fem

@@ -1,5 +1,5 @@
 #pragma once
-// The plain mesh that the element loops work on.
+// The mesh that the cell loops work on.
 
 #include <array>
 #include <string>
@@ -16,7 +16,7 @@ struct Mesh {
                               ///< neighbours are near in memory
   std::vector<int> vertex;    ///< node -> vertex of the grid it came from (grid.hpp)
   std::vector<std::size_t>
-      cell_numbers;  ///< those of the mesh file; empty: the body comes with no cells of its own
+      cell_numbers;  ///< numbers in the mesh file; empty if the body does not come from one
 
   int corners() const { return 1 << dim; }
   std::size_t node_count() const { return nodes.size() / static_cast<std::size_t>(dim); }

@@ -1,6 +1,6 @@
 #pragma once
-// Which class a choice of options becomes. One translation unit per dimension, so that they compile side by
-// side.
+// What formulations are made of: the bodies of particles, without their kernels. They are compiled in one
+// source for each dimension (total_lagrangian_2d.cpp and so on), side by side.
 
 #include <memory>
 
@@ -8,29 +8,30 @@
 
 namespace femsph::sph {
 
-/// Plastic flow of von Mises' kind alone: a tension rule opens the body, and cuts a mean stress that no mean
-/// must raise again.
-template <class LawType>
-bool flows_at_constant_volume(const LawType& law) {
-  if constexpr (requires { law.parameters.tension; })
-    return law.parameters.tension == TensionRule::none;
-  else
-    return false;
-}
-/// Whether a body of corrected SPH is given the mean change of volume. Throws Refusal if it is asked for and
-/// has no use.
-bool wants_mean_dilatation(const Options& options, const LinearElastic& elastic,
-                           bool flows_at_constant_volume);
+enum class Correction;  // gradient_operator.hpp
 
+/// Whether a body of a corrected formulation is given the mean change of volume. Throws Refusal if the
+/// options ask for it where it has no use.
+bool wants_mean_dilatation(const Options& options, const Law& law);
+
+/// SPH on the initial neighbours. In large motion the correction is one with hourglass control. Throws
+/// std::runtime_error if the material is made for large motion and the scene is not.
 template <int dim>
 std::unique_ptr<Discretization> total_lagrangian(const Scene& scene, std::size_t body, const Options& options,
-                                                 Particles particles, const Kernel& kernel);
+                                                 Particles particles, const Kernel& kernel,
+                                                 Correction correction);
 extern template std::unique_ptr<Discretization> total_lagrangian<2>(const Scene&, std::size_t, const Options&,
-                                                                    Particles, const Kernel&);
+                                                                    Particles, const Kernel&, Correction);
 extern template std::unique_ptr<Discretization> total_lagrangian<3>(const Scene&, std::size_t, const Options&,
-                                                                    Particles, const Kernel&);
+                                                                    Particles, const Kernel&, Correction);
+inline std::unique_ptr<Discretization> total_lagrangian(const Scene& scene, std::size_t body,
+                                                        const Options& options, Particles particles,
+                                                        const Kernel& kernel, Correction correction) {
+  const auto make = particles.dim == 2 ? total_lagrangian<2> : total_lagrangian<3>;
+  return make(scene, body, options, std::move(particles), kernel, correction);
+}
 
-/// Classic SPH on the initial neighbours in small motion, elastic whatever the scene's material is.
+/// Uncorrected SPH on the initial neighbours in small motion, elastic whatever the scene's material is.
 template <int dim>
 std::unique_ptr<Discretization> small_motion_body(const Scene& scene, std::size_t body,
                                                   const Options& options, Particles particles,
@@ -40,7 +41,7 @@ extern template std::unique_ptr<Discretization> small_motion_body<2>(
 extern template std::unique_ptr<Discretization> small_motion_body<3>(
     const Scene&, std::size_t, const Options&, Particles, const Kernel&, const LinearElastic&);
 
-/// Classic SPH on updated neighbours with the Jaumann rate, for large motion.
+/// Uncorrected SPH on neighbours that follow the particles, for large motion.
 template <int dim>
 std::unique_ptr<Discretization> updated_lagrangian(
     const Scene& scene, std::size_t body, const Options& options, Particles particles, const Kernel& kernel);
@@ -48,5 +49,10 @@ extern template std::unique_ptr<Discretization> updated_lagrangian<2>(
     const Scene&, std::size_t, const Options&, Particles, const Kernel&);
 extern template std::unique_ptr<Discretization> updated_lagrangian<3>(
     const Scene&, std::size_t, const Options&, Particles, const Kernel&);
+inline std::unique_ptr<Discretization> updated_lagrangian(
+    const Scene& scene, std::size_t body, const Options& options, Particles particles, const Kernel& kernel) {
+  const auto make = particles.dim == 2 ? updated_lagrangian<2> : updated_lagrangian<3>;
+  return make(scene, body, options, std::move(particles), kernel);
+}
 
 }  // namespace femsph::sph

@@ -1,7 +1,7 @@
 #pragma once
-// The objective rate of the updated form: stress and strain follow the body's turn by Q = (I - W/2)^-1 (I +
-// W/2), W the spin's increment at the middle of the step (Hughes & Winget 1980), so that a turn adds no
-// stress of its own.
+// The objective rate of the updated form: stress and strain are rotated by Q = (I - W/2)^-1 (I + W/2), W the
+// increment of the spin at the middle of the step (Hughes & Winget 1980), so that a rotation of the body adds
+// no stress.
 
 #include "model/numerics/tensor.hpp"
 

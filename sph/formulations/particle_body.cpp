@@ -50,10 +50,9 @@ std::vector<SidePiece> flat_side(const Shape& shape, const std::string& side, do
 /// Symmetry planes are none: the body goes on there.
 void add_other_sides(const Shape& shape, double size, const Particles& p,
                      std::vector<std::vector<SidePiece>>& pieces) {
-  const double spacing = p.spacing;
   const auto on_plane = [&](const SidePiece& piece) {
-    return std::any_of(p.planes.begin(), p.planes.end(),
-                       [&](const MirrorPlane& m) { return m.holds(piece.at, 1e-6 * spacing); });
+    return std::any_of(
+        p.planes.begin(), p.planes.end(), [&](const MirrorPlane& m) { return p.on_plane(piece.at, m); });
   };
   const auto key = [&](const Point& x) {
     std::array<long, 3> k{};
@@ -72,7 +71,7 @@ void add_other_sides(const Shape& shape, double size, const Particles& p,
   const bool named_all = shape.names_whole_boundary();
   for (const std::string& name : mesh ? mesh->groups : shape.sides()) {
     std::vector<SidePiece> side = shape.side_pieces(name, size);
-    add(side.empty() && !named_all && name.size() == 2 ? flat_side(shape, name, size, spacing)
+    add(side.empty() && !named_all && name.size() == 2 ? flat_side(shape, name, size, p.spacing)
                                                        : std::move(side));
   }
   if (mesh) add(free_sides(*mesh, size));  // those without a name
@@ -83,6 +82,7 @@ void add_other_sides(const Shape& shape, double size, const Particles& p,
 ParticleBody::ParticleBody(const Scene& scene, std::size_t body, const Options& options, Particles particles,
                            const Kernel& kernel)
     : options_(options),
+      formulation_(formulation_named(options.formulation)),
       particles_(std::move(particles)),
       shape_(scene.bodies[body].shape),
       thickness_(scene.bodies[body].thickness) {
@@ -108,8 +108,7 @@ ParticleBody::ParticleBody(const Scene& scene, std::size_t body, const Options& 
 }
 
 std::string ParticleBody::describe() const {
-  const char* formulation = options_.formulation == Formulation::corrected ? "corrected" : "classic";
-  return fmt::format("{} SPH, {} particles, d = {:g} mm, h = {:g} d{}", formulation, particles_.size(),
+  return fmt::format("{} SPH, {} particles, d = {:g} mm, h = {:g} d{}", formulation_.word, particles_.size(),
                      particles_.spacing * 1e3, options_.smoothing, bars_text_);
 }
 
@@ -129,8 +128,7 @@ std::vector<std::string> ParticleBody::warnings() const {
 std::vector<PointArea> ParticleBody::outward_areas(const Place& place) const {
   std::vector<PointArea> out;
   const double size = 0.2 * particles_.spacing;
-  const bool own_operator = steps_ && options_.formulation == Formulation::corrected &&
-                            options_.mass == MassRule::trapezoid;
+  const bool own_operator = steps_ && formulation_.corrected && options_.mass == MassRule::trapezoid;
   const Kernel kernel(options_.kernel, particles_.dim, options_.smoothing * particles_.spacing);
   if (own_operator && place.sides.empty() && !place.within && !place.point) {  // all around: side_areas.hpp
     const std::vector<Point> areas = operator_areas(particles_, kernel, options_);
@@ -156,9 +154,7 @@ std::vector<PointArea> ParticleBody::outward_areas(const Place& place) const {
         for (const SidePiece& piece : side) share_out(piece, hats.back());
       }
       std::vector<Point> areas = operator_areas(particles_, kernel, options_);
-      for (std::size_t i = 0; i < areas.size(); ++i)
-        for (const MirrorPlane& m : particles_.planes)  // across a symmetry plane nothing moves
-          if (particles_.on_plane(i, m)) areas[i][std::size_t(m.axis)] = 0;
+      for (std::size_t i = 0; i < areas.size(); ++i) areas[i] = particles_.along_planes(i, areas[i]);
       return balanced_side(particles_, pieces, hats, std::move(areas), 2 * kernel.radius());
     }
   }

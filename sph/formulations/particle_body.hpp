@@ -1,6 +1,6 @@
 #pragma once
-// What every SPH discretization has in common: where its particles are, what they weigh, and how places and
-// probes find them.
+// What every SPH discretization has in common: positions and masses of particles, and the particles of places
+// and probes.
 
 #include <string>
 
@@ -29,12 +29,12 @@ class ParticleBody : public Discretization {
 
   std::vector<std::string> warnings() const override;
 
-  /// Particles of a place. Where they lie on it a force is shared in proportion to their volumes (of a fitted
-  /// body to the area of its facets); a side that cuts a lattice has the layer of particles whose cells it
-  /// cuts, each with its area there.
+  /// The particles of a place. On particles that lie on it a force is shared in proportion to their volumes
+  /// (of a fitted body to the areas of its facets). A side that cuts the lattice has the layer of particles
+  /// whose cells it cuts, each weighted by the area of the side in its cell.
   std::vector<Weight> points_of(const Place& place) const override;
   std::vector<PointArea> outward_areas(const Place& place) const override;
-  /// The particle at p itself; between particles, a moving least-squares fit that reproduces linear fields.
+  /// The particle at p alone; between particles a moving least-squares fit, exact for linear fields.
   std::vector<Weight> interpolation(const Point& p) const override;
   std::vector<Weight> material_interpolation(const Point& p) const override { return interpolation(p); }
   std::size_t material_points() const override { return particles_.size(); }
@@ -42,28 +42,28 @@ class ParticleBody : public Discretization {
   double material_volume(std::size_t point) const override {
     return particles_.own_volume(point) * thickness_;
   }
-  /// Each particle at its own place; see TotalLagrangian for where a corrected gradient belongs.
+  /// Each particle at its position; StiffnessBody has the places where a corrected gradient is most accurate.
   MaterialUnits material_units() const override;
   Topology topology() const override;
-  /// The sides of the lattice's cells between particles that belong to one cell: particles sit on the
-  /// surface, and so do they; of a fitted body those of its own cells.
+  /// The free sides of the cells whose corners are particles: of the lattice, or of a fitted body.
   std::vector<Facet> boundary() const override;
 
  protected:
-  /// The flat vector u with the mirrored particles filled in: u itself in a body without symmetry planes.
-  /// Valid until the next call.
+  /// The flat vector u with the values of mirrored particles filled in; u itself in a body without symmetry
+  /// planes. Valid until the next call.
   const double* with_mirrored(const double* u) const {
     return particles_.mirrored.empty() ? u : fill_mirrored(u);
   }
   Point place_now(std::size_t particle, const double* u) const;  ///< m, in the deformed body
-  /// What to say if a particle's det F is not positive.
+  /// Trouble if det F of a particle is not positive.
   std::optional<Trouble> inside_out(const AlignedVector<double>& det, const double* u) const;
-  /// What a uniform stress must be in balance with: the areas of boundary() at their corners. Empty where the
-  /// weights are not made so: on lattices, which are right by themselves, where sides cut the lattice, in
-  /// classic SPH, and if the options say so.
+  /// The area vectors with which a uniform stress must be in balance (projection.hpp): those of boundary(),
+  /// shared among its corners. Empty where weights are not projected: on lattices, in uncorrected SPH, and
+  /// without Options::projection.
   std::vector<Point> uniform_stress_areas() const;
   std::vector<std::string> warnings_;
   Options options_;
+  const Formulation& formulation_;
   Particles particles_;
   std::shared_ptr<const Shape> shape_;
   double thickness_, density_, wave_speed_;
@@ -80,7 +80,7 @@ class ParticleBody : public Discretization {
   void weigh_by_area(std::vector<Weight>& points) const;
   std::vector<PointArea> facet_areas(const std::vector<Weight>& points) const;
   bool in_body(std::size_t i) const;
-  bool steps_ = false;  ///< a lattice in a body that is no box: its sides cut cells
+  bool steps_ = false;  ///< sides of the body cut cells of the lattice
   std::vector<double> mass_;
   mutable AlignedVector<double> mirrored_;
   std::string bars_text_;

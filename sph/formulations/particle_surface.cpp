@@ -72,8 +72,8 @@ std::vector<PointArea> ParticleBody::facet_areas(const std::vector<Weight>& poin
 }
 
 std::vector<Point> ParticleBody::uniform_stress_areas() const {
-  if (!options_.projection || options_.formulation != Formulation::corrected ||
-      options_.mass != MassRule::trapezoid || particles_.regular || steps_)
+  if (!options_.projection || !formulation_.corrected || options_.mass != MassRule::trapezoid ||
+      particles_.regular || steps_)
     return {};
   std::vector<Weight> all;
   for (std::size_t i = 0; i < particles_.size(); ++i) all.push_back({i, 1.0});

@@ -1,6 +1,6 @@
 #pragma once
-// A material point of the updated form whose law carries its stress from step to step: the Jaumann rate (eq.
-// 9 of the paper). Eight points a call.
+// A material point of the updated form whose law updates the stress from step to step, with the Jaumann rate
+// (eq. 9 of the paper). Each function takes eight points.
 
 #include "model/material/law.hpp"
 #include "sph/formulations/jaumann.hpp"
@@ -11,12 +11,12 @@ template <int dim, class Law>
 struct RatePoint {
   static constexpr int n = symmetric_size<dim>;
   static constexpr bool plastic = !Law::path_independent;
-  /// `work` is that of the stress if the law stores it all (it is a rate, so nothing else says what was
-  /// stored), else what it does not store; J per thickness.
+  /// `work`, J per thickness: of a plastic law the work that is not stored, else the work of the stress,
+  /// which is the stored energy (a rate law has no other measure of it).
   enum Slot { stress = 0, strain = n, work = 2 * n, history = 2 * n + 1 };
   static constexpr int size = history + Law::template history_size<dim>;
 
-  /// The stress that its neighbours and itself make forces of.
+  /// The Cauchy stress in the pair forces, Pa.
   FEMSPH_INLINE static Symmetric<Pack, dim> pull(const Pack* own) {
     Symmetric<Pack, dim> s;
     for (int k = 0; k < n; ++k) s[k] = own[stress + k];

@@ -1,11 +1,10 @@
 #pragma once
-// Bars in SPH: their stress is smeared over the particles of their rows. Particle i stands for a piece of
-// length l_i; with the particle's own gradient H_i the piece's strain e_i and direction of pull p follow
-// (bar_strain), and
+// Reinforcing bars in SPH: the stress of a bar is smeared over the particles of its rows. Particle i has a
+// piece of length l_i, whose strain e_i and direction p follow from the particle's gradient H_i (bar_strain).
+// The stress of the particle grows by
 //   P_i += (A l_i / V_i) sigma(e_i) p (x) e_a
-// is what makes sum_i V_i P_i : dH_i the virtual work sum_i A l_i sigma_i de_i. So bars share the particles'
-// divergence, and no motion that the particles do not see can slip past them, as it would past springs
-// between particles.
+// so that sum_i V_i P_i : dH_i is the virtual work sum_i A l_i sigma_i de_i. Springs between particles would
+// not do: particles can alternate along the bar without a strain in H, and the matrix would slip past them.
 
 #include <vector>
 

@@ -1,6 +1,6 @@
 #pragma once
-// What TotalLagrangian has for every law and kinematics: the operator, the two passes, and the stiffness of
-// the undeformed elastic body. The compiler makes it once for each dimension, storage of stencils and
+// The part of TotalLagrangian that does not depend on law and kinematics: the operator, the two passes, and
+// the stiffness of the undeformed elastic body. It is compiled once for each dimension, storage form and
 // correction.
 
 #include "model/material/kinematics.hpp"
@@ -129,7 +129,7 @@ class StiffnessBody : public ParticleBody {
       for (int c = 0; c < dim; ++c) H[r][c] = load<Pack>(&h_[(block * dim * dim + r * dim + c) * lanes]);
     return H;
   }
-  /// theta of a block, whose gradient is kept.
+  /// Computes theta of a block, and stores its gradient.
   template <class Motion, bool with_scale>
   FEMSPH_INLINE void change_of_volume(std::size_t block, const double* u) const {
     Tensor<Pack, dim> H;
@@ -149,7 +149,7 @@ class StiffnessBody : public ParticleBody {
     });
     dilatation_->mirror_volume(particles_);
   }
-  /// The strain that the law is given, of the volumes known.
+  /// Turns the strain into the one that the law is given, from the changes of volume stored before.
   template <class Motion>
   FEMSPH_INLINE void enlarge([[maybe_unused]] std::size_t block,
                              [[maybe_unused]] Symmetric<Pack, dim>& strain) const {
@@ -174,7 +174,7 @@ class StiffnessBody : public ParticleBody {
     });
   }
 
-  /// Direction in which a bar pulls.
+  /// Unit vector along a bar.
   struct Pull {
     double at[dim];
   };
@@ -238,67 +238,11 @@ class StiffnessBody : public ParticleBody {
   GradientOperator<dim, Stencils, corrected> operator_;
   std::unique_ptr<PairViscosity<dim, Stencils>> viscosity_;
   double kappa_;                     ///< hourglass stiffness, Pa
-  mutable AlignedVector<double> q_;  ///< Q, as the stencils want it
+  mutable AlignedVector<double> q_;  ///< Q, in the layout of the stencils
   mutable AlignedVector<double> l_;  ///< L of the hourglass control, [block][component][lane]
   using Dilatations = MeanDilatation<typename Stencils::OneValue>;
   std::unique_ptr<Dilatations> dilatation_;  ///< only with the mean dilatation
   mutable AlignedVector<double> h_;          ///< H then, [block][component][lane]
 };
-
-/// Of a field with second derivatives the corrected gradient of particle i is, to first order, that at x_i +
-/// s_i: the least-squares place
-///   s_i = 1/(dim + 1) sum_j (G_ij . x_ij) x_ij,  G_ij = B_i w_ij;
-/// zero where the neighbours lie evenly, and into the body at its surface. An uncorrected gradient has an
-/// error of order 0 there and no such place.
-template <int dim, class Stencils, Correction correction>
-MaterialUnits StiffnessBody<dim, Stencils, correction>::material_units() const {
-  MaterialUnits units = ParticleBody::material_units();
-  if constexpr (corrected) {
-    if (options_.formulation != Formulation::corrected) return units;
-    AlignedVector<double> x(layout_.size, 0.0);
-    for (std::size_t i = 0; i < particles_.position.size(); ++i)
-      for (int c = 0; c < dim; ++c) x[layout_.at(i, c)] = particles_.position[i][std::size_t(c)];
-    parallel_for(blocks() * lanes, lanes, [&](std::size_t begin, std::size_t end) {
-      for (std::size_t block = begin / lanes; block < end / lanes; ++block) {
-        Tensor<Pack, dim> sum[dim]{};  // w_a x_b x_c
-        operator_.stencils().each(block, x.data() + first(block), stride(),
-                                  [&](const Pack(&apart)[dim], const Pack(&w)[dim], const Pack&) {
-                                    for (int a = 0; a < dim; ++a)
-                                      for (int b = 0; b < dim; ++b)
-                                        for (int c = 0; c < dim; ++c)
-                                          sum[a][b][c] += w[a] * apart[b] * apart[c];
-                                  });
-        for (std::size_t i = block * lanes; i < std::min((block + 1) * lanes, particles_.size()); ++i)
-          for (int c = 0; c < dim; ++c)
-            for (int a = 0; a < dim; ++a)
-              for (int b = 0; b < dim; ++b)
-                units.place[i][std::size_t(c)] += operator_.correction(i, a, b) * sum[a][b][c][i % lanes] /
-                                                  (dim + 1);
-      }
-    });
-  }
-  return units;
-}
-
-/// det F <= 0 at a particle.
-template <int dim, class Stencils, Correction correction>
-std::optional<Trouble> StiffnessBody<dim, Stencils, correction>::trouble(const double* given) const {
-  const double* u = with_mirrored(given);
-  AlignedVector<double> det(blocks() * lanes);
-  parallel_for(blocks() * lanes, lanes, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t block = begin / lanes; block < end / lanes; ++block) {
-      Tensor<Pack, dim> F;
-      Pack L[dim];
-      gradient<false>(block, u, F, L);
-      for (int a = 0; a < dim; ++a) F[a][a] += 1.0;
-      Pack d = F[0][0] * F[1][1] - F[0][1] * F[1][0];
-      if constexpr (dim == 3)
-        d = d * F[2][2] + (F[0][2] * F[1][0] - F[0][0] * F[1][2]) * F[2][1] +
-            (F[0][1] * F[1][2] - F[0][2] * F[1][1]) * F[2][0];
-      store(&det[block * lanes], d);
-    }
-  });
-  return inside_out(det, u);
-}
 
 }  // namespace femsph::sph

@@ -1,10 +1,10 @@
 #pragma once
-// A material point of the updated form whose law knows its stress from the whole stretch (neo-Hookean). The
-// deformation gradient is carried along,
+// A material point of the updated form whose law gives the stress of the total stretch (neo-Hookean). The
+// deformation gradient is updated by
 //   F(n+1) = (1 - L/2)^-1 (1 + L/2) F(n),   L the velocity gradient at the middle of the step times dt,
-// exact for any stretch in one step that keeps its axes, and turning exactly like Hughes and Winget's. The
-// law gives the Biot stress T of F = R U; with J the ratio of volumes (in 2D of areas: the force then belongs
-// to the undeformed thickness) the pull is P F^T / J = R T U R^T / J.
+// which rotates exactly like the rule of Hughes & Winget (1980). The law gives the Biot stress T of F = R U.
+// With J the ratio of volumes (in 2D of areas: the force then belongs to the undeformed thickness) the stress
+// in the pair forces is P F^T / J = R T U R^T / J.
 
 #include "model/material/spatial_state.hpp"
 

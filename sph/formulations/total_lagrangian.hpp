@@ -1,10 +1,10 @@
 #pragma once
-// SPH on the initial neighbours: classic (small strain), with row scaling or virtual particles, and
-// corrected. One step is two passes over the particles:
+// SPH on the initial neighbours: corrected, or classic in small strain. One step is two passes over the
+// particles:
 //   1  displacement gradient H; law; Q = (V / K) P B
 //   2  force, the exact adjoint of pass 1
-// by the operator of gradient_operator.hpp. stiffness_body.hpp has what does not depend on the law;
-// total_lagrangian_output.hpp the energies and the states of the material.
+// by the operator of gradient_operator.hpp. stiffness_body.hpp has the part that does not depend on the law,
+// total_lagrangian_output.hpp the energies and the states of material points.
 
 #include "sph/formulations/stiffness_body.hpp"
 

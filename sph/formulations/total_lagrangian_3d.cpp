@@ -1,9 +1,9 @@
-#include "sph/formulations/total_lagrangian_make.hpp"
+#include "sph/formulations/choose_total_lagrangian.hpp"
 
 namespace femsph::sph {
 
 template std::unique_ptr<Discretization> total_lagrangian<3>(const Scene&, std::size_t, const Options&,
-                                                             Particles, const Kernel&);
+                                                             Particles, const Kernel&, Correction);
 template std::unique_ptr<Discretization> small_motion_body<3>(const Scene&, std::size_t, const Options&,
                                                               Particles, const Kernel&, const LinearElastic&);
 

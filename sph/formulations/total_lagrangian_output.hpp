@@ -3,11 +3,12 @@
 
 #include "model/material/spatial_state.hpp"
 #include "model/material/stiffening.hpp"
+#include "sph/formulations/stiffness_body_output.hpp"
 #include "sph/formulations/total_lagrangian.hpp"
 
 namespace femsph::sph {
 
-/// Hourglass control holds sum_i K_i kappa/2 sum_j scale_ij |H_i x_ij - u_ij|^2, with scale_ij x_ij = w_ij.
+/// The hourglass energy is sum_i K_i kappa/2 sum_j scale_ij |H_i x_ij - u_ij|^2, with scale_ij x_ij = w_ij.
 template <int dim, class Stencils, class Kinematics, class LawType, Correction correction>
 Energies TotalLagrangian<dim, Stencils, Kinematics, LawType, correction>::energies(
     const double* given) const {
@@ -121,7 +122,8 @@ void TotalLagrangian<dim, Stencils, Kinematics, LawType, correction>::material_s
   });
 }
 
-/// theta and p as far as D needs them at the points: p of the neighbours, and for it theta of theirs.
+/// Computes theta and p where D needs them for these points: p of their neighbours, and theta of the
+/// neighbours of these.
 template <int dim, class Stencils, class Kinematics, class LawType, Correction correction>
 void TotalLagrangian<dim, Stencils, Kinematics, LawType, correction>::mean_stresses_around(
     const double* u, std::span<const std::size_t> points) const {

@@ -1,7 +1,7 @@
 #pragma once
 // Classic SPH for large motion: neighbours and kernel gradients follow the particles. Velocity gradients are
-// taken at the middle of the step, x(n) - dt/2 v(n-1/2). One step is two passes over the particles, each
-// after the fields that neighbours read have been laid down as records:
+// taken at the middle of the step, x(n) - dt/2 v(n-1/2). One step is two passes over the particles. Before
+// each pass the fields that neighbours read are written as records (particle_records.hpp):
 //   1  L_i = dt sum_j V_j (v_j - v_i) (x) grad_i W_ij;  the material point (rate_point.hpp,
 //   stretch_point.hpp) makes stress and V_i of it 2  f_i = V_i sum_j V_j (sigma_i + sigma_j) grad_i W_ij,
 //   equal and opposite within each pair
@@ -19,7 +19,7 @@
 
 namespace femsph::sph {
 
-/// What a particle of this law carries.
+/// The material point of a particle with this law.
 template <int dim, class LawType>
 using UpdatedPoint =
     std::conditional_t<Incremental<LawType>, RatePoint<dim, LawType>, StretchPoint<dim, LawType>>;
@@ -88,8 +88,8 @@ class UpdatedLagrangian final : public ParticleBody {
       wendland ? pair_forces<WendlandC2, false>(f, viscous) : pair_forces<CubicSpline, false>(f, viscous);
   }
 
-  /// The lists are part of what a run goes on from: searched again at another place, the sums would be taken
-  /// in another order.
+  /// The neighbour lists are part of the state: after a search at another time the sums would be taken in
+  /// another order.
   void state(Archive& archive) override {
     archive("material", state_);
     archive("volume", volume_);
@@ -114,8 +114,7 @@ class UpdatedLagrangian final : public ParticleBody {
   }
 
  private:
-  // What a particle lays down for its neighbours: before the first pass x, v, V, and before the second x, V,
-  // sigma, v.
+  // The fields in the records: x, v, V for the first pass, and x, V, sigma, v for the second.
   enum Motion { middle = 0, velocity = dim, extent = 2 * dim };
   enum Force { place = 0, measure = dim, pull = dim + 1, speed = dim + 1 + n };
   using MotionRecords = ParticleRecords<1>;

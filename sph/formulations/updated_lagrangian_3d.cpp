@@ -1,4 +1,4 @@
-#include "sph/formulations/updated_lagrangian_make.hpp"
+#include "sph/formulations/choose_updated_lagrangian.hpp"
 
 namespace femsph::sph {
 

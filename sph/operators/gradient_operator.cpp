@@ -26,13 +26,10 @@ OperatorRows operator_rows(const Particles& particles, const Kernel& kernel, con
   const double fill = enclosed / volume;
   std::vector<double> filled = particles.volume;
   for (double& v : filled) v *= fill;
-  // In the body with its images; across a symmetry plane nothing is asked for.
+  // Those of the body with its images.
   std::vector<Point> whole = area;
-  for (std::size_t i = 0; i < area.size(); ++i) {
-    whole[i] = (1 / particles.part[i]) * area[i];
-    for (const MirrorPlane& m : particles.planes)
-      if (particles.on_plane(i, m)) whole[i][std::size_t(m.axis)] = 0;
-  }
+  for (std::size_t i = 0; i < area.size(); ++i)
+    whole[i] = particles.along_planes(i, (1 / particles.part[i]) * area[i]);
   Projection made = project(particles, *out.rows, whole, filled);
   if (made.needless) return out;
   if (!made.rows || made.left > 1e-3)

@@ -1,5 +1,5 @@
 #pragma once
-// The gradient of SPH on initial neighbours and its exact adjoint (rows.hpp), packed:
+// The SPH gradient on initial neighbours and its exact adjoint (rows.hpp), in SIMD form:
 //   H_i = sum_j (u_j - u_i) (x) w_ij, times the correction B_i if any;   f_i = K_i [ sum_j Q_j a_ij + Q_i S_i
 //   ],  S_i = sum_j w_ij,
 // where Q_i = (V_i / K_i) P_i B_i for a stress P_i that fills the volume V_i.
@@ -22,17 +22,17 @@ struct OperatorRows {
   std::unique_ptr<RowSource> rows;
   std::unique_ptr<RowSource> adjoint;  ///< where they are not symmetric: virtual particles, projection
   bool projected = false;
-  double fill = 1;   ///< of V_i that the stress fills: cells with straight sides stand for somewhat less than
-                     ///< a round body
-  std::string note;  ///< what the user should know; empty: nothing
+  double fill = 1;   ///< part of V_i that the stress fills: cells with straight sides enclose somewhat less
+                     ///< than a round body
+  std::string note;  ///< a warning for the user; empty: none
 };
-/// `area`: area vectors that a uniform stress must meet (projection.hpp), one a particle of the body, its
-/// symmetry planes included; empty: as they come.
+/// `area`: the area vectors with which a uniform stress must be in balance (projection.hpp), one for each
+/// particle of the body, areas on symmetry planes included; empty: the rows of the kernel are taken.
 OperatorRows operator_rows(const Particles& particles, const Kernel& kernel, const Options& options,
                            const std::vector<Point>& area);
 
-/// B of a particle whose row is `row`. With Boundary::weight (fig. 3b of the paper) the row's weights grow so
-/// that the kernel sums to one. Throws std::runtime_error if it has too few neighbours.
+/// B of a particle whose row is `row`. With Boundary::weight (fig. 3b of the paper) B is the factor for which
+/// the kernel sums to one. Throws Refusal if the particle has too few neighbours.
 Tensor<double, 3> correction_of(const Particles& particles, std::size_t particle, const RowSource& rows,
                                 const Row& row, Boundary boundary);
 
@@ -54,9 +54,9 @@ class GradientOperator {
   const Stencils& stencils() const { return stencils_; }
   bool projected() const { return projected_; }
   const std::string& note() const { return note_; }
-  /// Filled by the stress, with thickness, m^3.
+  /// The volume that the stress fills, with thickness, m^3.
   FEMSPH_INLINE Pack volume(std::size_t block) const { return load<Pack>(&v_[block * lanes]); }
-  /// K_i, what the divergence and the hourglass control take for a volume, with thickness, m^3; V_i / K_i.
+  /// K_i, the volume in the divergence and the hourglass control, with thickness, m^3; fraction(): V_i / K_i.
   FEMSPH_INLINE Pack kernel_volume(std::size_t block) const { return load<Pack>(&k_[block * lanes]); }
   FEMSPH_INLINE Pack fraction(std::size_t block) const { return load<Pack>(&part_[block * lanes]); }
   double fraction_of(std::size_t particle) const { return part_[particle]; }
@@ -89,7 +89,7 @@ class GradientOperator {
       }
     return out;
   }
-  /// Where Q, which the divergence sums, keeps its components.
+  /// How the components of Q, which the divergence sums, are stored.
   using Tensors = typename Stencils::Tensors;
   /// Force per K of a block, whose part of Q starts at q.
   FEMSPH_INLINE void divergence(std::size_t block, const double* q, std::size_t stride,

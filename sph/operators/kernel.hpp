@@ -64,7 +64,7 @@ class Kernel {
            (kind_ == KernelKind::cubic_spline ? CubicSpline::steepness(q) : WendlandC2::steepness(q));
   }
 
-  /// What a kernel's steepness of q = r/h takes to become that of r.
+  /// steepness(r) over the steepness of the kernel as a function of q = r/h, m^-(dim+2).
   double steepness_factor() const { return scale_ / (h_ * h_); }
 
  private:

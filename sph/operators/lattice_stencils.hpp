@@ -1,7 +1,7 @@
 #pragma once
-// Rows of a lattice: eight consecutive particles share one list of slots (offset, w, lane mask); blocks with
-// equal lists share one descriptor. A few dozen descriptors describe a whole lattice, and neighbours are
-// contiguous loads. What both packings have in common: stencils.hpp.
+// Rows of a lattice. Eight consecutive particles, a block, share one list of slots (offset, w, lane mask),
+// and blocks with equal lists share one descriptor. A few dozen descriptors describe a whole lattice, and
+// neighbours are loaded contiguously.
 
 #include <array>
 #include <cstdint>

@@ -1,6 +1,6 @@
 #pragma once
-// Rows of particles anywhere: the neighbours of eight particles side by side (SELL-8), gathered. What both
-// packings have in common: stencils.hpp.
+// Rows of scattered particles: the k-th neighbours of eight particles are stored side by side (SELL-8) and
+// gathered. The interface is that of lattice_stencils.hpp.
 
 #include <cstdint>
 #include <type_traits>
@@ -77,8 +77,8 @@ class ListStencils {
     for (std::size_t k = begin_[block] * lanes; k < begin_[block + 1] * lanes; ++k)
       take(std::size_t(index_[k]));
   }
-  /// sum_j scale_ij |H x_ij - u_ij|^2 where what is stored as scale is the symmetric mean of two
-  /// (projection.hpp): w tells it, and the places.
+  /// sum_j scale_ij |H x_ij - u_ij|^2 of projected rows. Their stored scale is a symmetric mean
+  /// (projection.hpp), so scale_ij is found from w_ij = scale_ij x_ij.
   Pack misfit(std::size_t block, const std::vector<Point>& position, const double* u, std::size_t stride,
               const Tensor<Pack, dim>& H) const {
     Pack sum{};

@@ -1,16 +1,16 @@
 #pragma once
 // Mean dilatation over neighbours, for bodies that keep their volume (nearly incompressible, or in plastic
-// flow). A gradient at the particles does not see displacements that alternate from layer to layer, so a
-// stiff volume leaves the pressure free to alternate. The law is given the change of volume
+// flow). A gradient at the particles is zero for displacements that alternate from layer to layer, so the
+// pressure of a nearly incompressible body can alternate. The law is given the change of volume
 //   theta-bar_i = theta_i + (D theta)_i,   (D x)_i = sum_j N_ij (x_j - x_i),   N_ij = r_i r_j V_j
 //   2^(-r^2/d^2) / (2^dim d^dim min(f_i, f_j)),  r < 2 d,
 // in place of theta_i (small motion: the trace of the strain; large: ln J). On a lattice r_i = 1 and N is the
-// product of (1/4, 1/2, 1/4) of each axis, reflected at faces: alternating fields become 0, constants stay.
-// Elsewhere r_i makes rows, with N_ii, sum to one. V_i N_ij is symmetric, so D is its own adjoint,
+// product of (1/4, 1/2, 1/4) along each axis, reflected at faces: alternating fields become 0, constants
+// stay. Elsewhere r_i makes the sum of a row, with N_ii, one. V_i N_ij is symmetric, so D is its own adjoint,
 //   sum_i V_i p_i (D theta)_i = sum_i V_i (D p)_i theta_i,
-// and the force of the law's mean stress p_i is that of p_i + (D p)_i, which is the stress to show: energy
-// and momenta are kept as without it. The classic form in elements: Nagtegaal, Parks & Rice 1974; over the
-// cells around a node: Bonet & Burton 1998.
+// and the force is that of the mean stress p_i + (D p)_i, p_i being that of the law; the sum is the stress
+// that is written. Energy and momenta are conserved as without it. In finite elements: Nagtegaal, Parks &
+// Rice 1974; over the cells around a node: Bonet & Burton 1998.
 
 #include <cmath>
 
@@ -35,7 +35,8 @@ class AveragingRows final : public RowSource {
   std::vector<double> scale_;  ///< r_i
 };
 
-/// D, and the fields that it takes: a row of a vector field's layout each, mirrored particles included.
+/// D, and the two fields that it averages, each stored like one component of a vector field, mirrored
+/// particles included.
 template <class Stencils>
 class MeanDilatation {
  public:
@@ -77,7 +78,7 @@ class MeanDilatation {
   AlignedVector<double> volume_, pressure_;
 };
 
-/// How a kind of motion takes another change of volume.
+/// The change of volume in small and in large motion.
 template <class Motion, int dim>
 struct VolumeChange {
   static constexpr bool small = std::is_same_v<Motion, SmallStrain>,
@@ -93,7 +94,7 @@ struct VolumeChange {
       return log_of_1_plus(growth_of(H));
     }
   }
-  /// Gives the law's strain x more of theta: e + x/dim, or U <- r U with r = exp(x/dim), which is returned.
+  /// Adds x to theta of the strain: e + x/dim, or U <- r U with r = exp(x/dim), which is returned.
   FEMSPH_INLINE static Pack add(const Pack& x, Symmetric<Pack, dim>& e) {
     const Pack share = x * (1.0 / dim);
     if constexpr (small) {
@@ -106,14 +107,14 @@ struct VolumeChange {
       return r;
     }
   }
-  /// What the law's stress does per theta and volume: a third of its trace, or for the Biot stress T of r U,
-  /// T : r U / dim.
+  /// The work of the law's stress per theta and volume, Pa: its trace / dim, or T : r U / dim of a Biot
+  /// stress T.
   FEMSPH_INLINE static Pack work(const Symmetric<Pack, dim>& enlarged, const Symmetric<Pack, dim>& stress) {
     Pack p = trace(stress);
     if constexpr (biot) p += contract(stress, enlarged);
     return p * (1.0 / dim);
   }
-  /// P of the motion itself: the Biot stress works on d(r U).
+  /// The stress that works on the unscaled motion: a Biot stress works on d(r U).
   FEMSPH_INLINE static void scale(const Pack& r, Tensor<Pack, dim>& P) {
     if constexpr (biot)
       for (int i = 0; i < dim; ++i)
@@ -135,7 +136,7 @@ struct VolumeChange {
   }
 
  private:
-  /// J - 1 = tr H + (minors of H), without losing small strains.
+  /// J - 1 = tr H + (minors of H), accurate for small strains.
   FEMSPH_INLINE static Pack growth_of(const Tensor<Pack, dim>& H) {
     if constexpr (dim == 2)
       return H[0][0] + H[1][1] + (H[0][0] * H[1][1] - H[0][1] * H[1][0]);

@@ -1,8 +1,8 @@
 #pragma once
-// Neighbours of particles that move (Verlet lists): pairs up to the kernel's radius and a skin, valid while
-// no two particles can have come nearer by the skin. A body that moves as a whole needs no new list: only
-// displacements beside their mean count. Eight particles in a row are a block; the k-th neighbours of a
-// block's particles stand together (SELL-8), so that loops run on packs.
+// Neighbours of particles that move (Verlet lists): pairs up to the radius of the kernel plus a skin. They
+// are valid until two particles can have approached each other by the skin; the mean displacement of the body
+// does not count. Eight consecutive particles are a block. The k-th neighbours of the particles of a block
+// are stored side by side (SELL-8), so that loops run on packs.
 
 #include <cstdint>
 #include <span>
@@ -21,16 +21,16 @@ class MovingNeighbours {
  public:
   MovingNeighbours(std::span<const Point> start, const Layout& layout, double radius, double skin);
 
-  /// Lists for displacement u: searched anew only if the old ones may miss a pair.
+  /// Lists for displacement u: a new search only if the old lists may miss a pair.
   void update(const double* u) {
     if (stale(u)) search(u);
   }
   long searches() const { return searches_; }
-  /// The lists follow from where they were searched.
+  /// Saves or restores the displacement at the last search, from which the lists follow.
   void state(Archive& archive);
 
-  /// Calls body(block, first, last) for every block; its neighbours are indices(k), k = first .. last - 1. A
-  /// lane with fewer neighbours than others looks at itself.
+  /// Calls body(block, first, last) for every block, with the range of its neighbour indices, [k][lane].
+  /// Where a lane has fewer neighbours than others, the rest of its indices are the particle itself.
   template <class Body>
   void each_block(Body&& body) const {
     parallel_for(
@@ -46,7 +46,7 @@ class MovingNeighbours {
 
   std::size_t bytes() const;
 
-  /// Found at searches only: a particle that the others have left, or a heap of them.
+  /// A particle that has lost its neighbours; looked for at searches only.
   struct Loss {
     std::size_t particle;
     int neighbours, at_start;
@@ -54,7 +54,7 @@ class MovingNeighbours {
   };
   const std::optional<Loss>& loss() const { return loss_; }
   bool crowded() const { return crowded_.has_value(); }
-  std::size_t fullest() const { return *crowded_; }  ///< one of the heap
+  std::size_t fullest() const { return *crowded_; }  ///< a particle where they are most crowded
 
  private:
   static constexpr std::size_t blocks_in_chunk = 64;

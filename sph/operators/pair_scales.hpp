@@ -1,7 +1,7 @@
 #pragma once
-// The unknowns of the projection (projection.hpp): one scale for each pair of particles, and what the area
-// vectors A_i make of them. The pairs stand in one array, row by row, each with the pair that looks back:
-// from j, or from the particle whose mirror image j is.
+// The unknowns of the projection (projection.hpp), one scale for each ordered pair of particles, and the area
+// vectors A_i as functions of them. The pairs are stored in one array, row by row, and each pair (i, j) knows
+// its reverse: the pair (j, i), or that of the particle whose mirror image j is.
 
 #include <array>
 #include <vector>
@@ -20,7 +20,7 @@ class PairScales {
 
   std::size_t size() const { return n_; }  ///< particles
   std::size_t pairs() const { return index_.size(); }
-  bool complete() const { return complete_; }  ///< every pair has one that looks back
+  bool complete() const { return complete_; }  ///< every pair has a reverse
   std::vector<double>& scale() { return scale_; }
 
   /// B and B x of the scales as they are now; false if some B does not exist.
@@ -34,7 +34,7 @@ class PairScales {
   void add(const Vectors& lambda, double factor, std::vector<double>& scale);
   /// The diagonal of J W J^T, without the part of J that the change of B brings.
   void diagonal(Vectors& out) const;
-  /// Sum of u . v over the particles' parts: that over the whole body with its images, but for a factor.
+  /// Sum of part_i u_i . v_i: in proportion to the sum over the body with its images.
   double product(const Vectors& u, const Vectors& v) const;
 
   std::vector<Row> rows() const;
@@ -61,11 +61,11 @@ class PairScales {
   const Particles& p_;
   std::size_t n_;
   const std::vector<double>& volume_;
-  std::vector<std::size_t> begin_, back_;  ///< first pair of each row; the pair that looks back
+  std::vector<std::size_t> begin_, back_;  ///< first pair of each row; the reverse of each pair
   std::vector<int> index_;                 ///< j
-  std::vector<double> start_, scale_;      ///< the kernel's scale; the scale now
+  std::vector<double> start_, scale_;      ///< the scale of the kernel; the present scale
   std::vector<Vector> x_, b_;              ///< x_ij = x_j - x_i; B_i x_ij
-  std::vector<Vector> change_, all_;       ///< memory for apply()
+  std::vector<Vector> change_, all_;       ///< buffers of apply()
   bool complete_ = true;
 };
 

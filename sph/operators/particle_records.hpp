@@ -1,6 +1,6 @@
 #pragma once
-// Fields of particles kept together, eight numbers to a cache line, for loops over neighbours anywhere in
-// memory: eight lines are loaded and transposed, which costs a third of eight times as many single loads.
+// The fields of a particle stored side by side, eight numbers in a cache line, for loops over neighbours that
+// are anywhere in memory: eight lines are loaded and transposed, which costs a third of 64 single loads.
 
 #include <cstdint>
 
@@ -36,7 +36,7 @@ class ParticleRecords {
   void resize(std::size_t particles) { data_.assign(round_up(particles, lanes) * fields, 0.0); }
   std::size_t bytes() const { return data_.size() * sizeof(double); }
 
-  /// Fields of eight particles in a row, and of any eight.
+  /// Loads the fields of eight consecutive particles; gather() those of any eight.
   FEMSPH_INLINE void load_block(std::size_t block, Pack (&out)[fields]) const {
     each_line(
         [&](int line, int lane) __attribute__((always_inline)) {

@@ -1,6 +1,7 @@
 #pragma once
-// Where component k = r dim + c of a tensor field Q is for particle i: one row per component (TensorRows), or
-// all components of a particle side by side (TensorRecords), where neighbours are anywhere in memory.
+// Where component k = r dim + c of a tensor field Q is stored for particle i: one row per component
+// (TensorRows), or all components of a particle side by side (TensorRecords), which is faster where
+// neighbours are anywhere in memory.
 
 #include <cstddef>
 #include <cstdint>
@@ -23,8 +24,8 @@ struct TensorRows {
   }
 };
 
-/// The components of a particle side by side: in space, eight loads and a transpose and the ninth instead of
-/// 72 loads.
+/// The components of a particle side by side. In 3D eight neighbours take eight vector loads, a transpose and
+/// eight loads of the ninth component, instead of 72 loads.
 struct TensorRecords {
   static constexpr int size = 9;
   static std::size_t at(std::size_t i, int k, std::size_t) { return i * size + std::size_t(k); }

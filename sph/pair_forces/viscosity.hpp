@@ -2,7 +2,7 @@
 // Artificial viscosity, eq. 5 of the paper (Monaghan 1992), between particles that approach each other:
 //   Pi_ij = (-alpha c phi + beta phi^2) / rho,   phi = h v_ij . x_ij / (|x_ij|^2 + gamma h^2) < 0,
 //   f_i = - sum_j m_i m_j Pi_ij grad_i W_ij = -V_i sum_j rho (-alpha c phi + beta phi^2) w_ij.
-// A scene or study without it holds none of this.
+// Without viscosity no PairViscosity is made.
 
 #include <memory>
 
@@ -54,7 +54,7 @@ class PairViscosity {
           return (linear_ - quadratic_ * closing) * closing;
         });
   }
-  /// y = C x with every pair approaching, without the quadratic part.
+  /// y = C x, the linear part of the force as if every pair approached: a bound for the critical step.
   void matrix(const double* x, const Layout& layout, double* y) const {
     pairs(
         x, layout, y, [&](const Pack& phi) __attribute__((always_inline)) { return -linear_ * phi; });

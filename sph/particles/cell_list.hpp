@@ -1,8 +1,8 @@
 #pragma once
-// Cell list: which points lie within a radius of a point, in O(1) a query. Bounded in memory wherever the
-// points are: a grid that would be larger than its share folds space instead, cell c standing for c + n, c +
-// 2 n, .. as well; what comes from far away so is a candidate too many, never one too few. A point that is
-// not a finite number is nobody's neighbour.
+// Cell list: which points lie within a radius of a point, in O(1) a query. Its memory is bounded wherever the
+// points are: where a grid would be too large, space is folded, so that cell c also holds the points of cells
+// c + n, c + 2 n, .. Folding adds candidates from far away and never loses one. A point whose coordinates are
+// not finite is in no list.
 
 #include <array>
 #include <cstddef>
@@ -20,8 +20,8 @@ class CellList {
   /// Sorts the points into cells of edge `radius` (counting sort: points of a cell stay in index order).
   void build(const std::vector<Point>& points, int dim, double radius);
 
-  /// Calls take(first, last) for runs of sorted points that hold every point within `radius` of p, each once,
-  /// and some beyond.
+  /// Calls take(first, last) for runs of sorted points. The runs contain every point within `radius` of p
+  /// once, and some points beyond.
   template <class Take>
   void runs(const Point& p, Take&& take) const {
     Around around[3];

@@ -1,6 +1,6 @@
 #pragma once
-// How much of a body each place of a lattice stands for. With phi_i the multilinear hat function of place i
-// (1 there, 0 at the other places) it is
+// The volume of the body that belongs to each place of a lattice. With phi_i the multilinear hat function of
+// place i (1 there, 0 at the other places) it is
 //   V_i = integral of phi_i over the body.
 // The hats add up to one and reproduce x, so sum V_i is the body's volume and sum V_i x_i its first moment,
 // however its sides cut the lattice; where they lie on the lattice V_i is the part of the cell around i that
@@ -14,7 +14,7 @@
 namespace femsph::sph {
 
 struct PartialVolumes {
-  std::vector<double> share;  ///< V_i over the lattice's cell, of each place
+  std::vector<double> share;  ///< V_i over the volume of a cell of the lattice, of each place
   std::vector<char> border;   ///< a side of the body cuts a cell at this place
 };
 /// Only cells that the boundary cuts are integrated: those of a mesh by Gauss points, those of other shapes
@@ -22,7 +22,7 @@ struct PartialVolumes {
 PartialVolumes partial_volumes(const Shape& shape, const Lattice& lattice,
                                const std::vector<MirrorPlane>& planes);
 
-/// No cell of the lattice is cut by a side of the body: it follows the sides by itself.
+/// Whether no side of the body cuts a cell of the lattice.
 bool follows_sides(const Shape& shape, const Lattice& lattice);
 
 /// The lattice over a shape's bounding box, with a place at both ends of each side; no particles yet.
@@ -30,14 +30,14 @@ bool follows_sides(const Shape& shape, const Lattice& lattice);
 Lattice lattice_over(const Shape& shape, double spacing);
 
 /// Scales the volumes marked in `which` by 1 + a + b . (x - c), the smallest change (weighted by 1/V) for
-/// which the sums of V and V x are the shape's. Across a symmetry plane the first moment is left alone: that
-/// of the body with its image is right, and the body's own must not differ from its half.
+/// which the sums of V and V x are those of the shape. The first moment normal to a symmetry plane is not
+/// changed: that of the body with its image is right by symmetry.
 void match_moments(const Shape& shape, const std::vector<MirrorPlane>& planes, const std::vector<Point>& at,
                    const std::vector<char>& which, std::vector<double>& volume);
 
-/// Who takes over what belongs to a place of the lattice without a particle: particles with factors that keep
-/// the total, and the first moment where two particles stand in a row next to it. `particle(place)` is -1
-/// where there is none, `volume` of its particle weighs the rows.
+/// The particles that take over the volume of a place without a particle, with factors that keep the total,
+/// and the first moment where two particles stand in a row next to the place. `particle(place)` is -1 where
+/// there is none; the rows are weighted by `volume(particle)`.
 template <class ParticleAt, class VolumeOf>
 std::vector<std::pair<int, double>> heirs(int dim, const std::array<int, 3>& place, ParticleAt&& particle,
                                           VolumeOf&& volume) {

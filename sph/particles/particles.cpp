@@ -213,7 +213,7 @@ void add_mirrored(Particles& p, const std::vector<MirrorPlane>& planes, double r
     const std::size_t known = p.position.size(), own = p.size();
     for (std::size_t i = 0; i < known; ++i) {
       const double depth = std::abs(p.position[i][m.axis] - m.at);
-      if (depth < 1e-6 * p.spacing || depth >= radius) continue;
+      if (p.on_plane(p.position[i], m) || depth >= radius) continue;
       Mirrored image = i < own ? Mirrored{i, {1, 1, 1}} : p.mirrored[i - own];
       image.sign[m.axis] *= -1;
       Point x = p.position[i];

@@ -1,6 +1,7 @@
 #pragma once
-// A body filled with particles: a lattice that starts on the body's surface, rows along x first, so that
-// neighbours are near in memory; jittered: in slabs (number_by_slabs).
+// A body filled with particles. On a lattice, which starts on the surface of the body, they are numbered
+// along x first, so that neighbours are near in memory; jittered particles are numbered by slabs
+// (number_by_slabs).
 
 #include <array>
 #include <cmath>
@@ -13,15 +14,15 @@
 
 namespace femsph::sph {
 
-/// Where the particles sit in a regular grid: `at` holds the particle of each grid place, -1 where the body
-/// is not.
+/// The particles on a regular grid: `at` holds the particle at each place of the grid, -1 outside of the
+/// body.
 struct Lattice {
   std::array<int, 3> count{1, 1, 1};
   Point spacing{};  ///< m, per axis
-  Point origin{};
+  Point origin{};   ///< of place (0, 0, 0), m
   std::vector<int> at;
   std::vector<std::array<int, 3>> place;  ///< of each particle
-  /// Of a grid place, in `at`.
+  /// Index of a place in `at`.
   std::size_t slot(int i, int j, int k) const {
     return std::size_t(i) + std::size_t(count[0]) * (std::size_t(j) + std::size_t(count[1]) * std::size_t(k));
   }
@@ -31,24 +32,25 @@ struct Lattice {
   }
 };
 
-/// A particle beyond a symmetry plane: particle `of` of the body, with the components of vectors times
+/// The image of particle `of` beyond a symmetry plane: components of its vectors are those of `of` times
 /// `sign`.
 struct Mirrored {
   std::size_t of;
   std::array<double, 3> sign;
 };
 
-/// A symmetry plane: x_axis = at, the body on its lower (or upper) side.
+/// The symmetry plane x_axis = at.
 struct MirrorPlane {
   int axis;
   double at;
-  bool upper;  ///< the plane is the body's upper side
+  bool upper;  ///< the plane is the upper side of the body, else the lower one
   bool holds(const Point& x, double tolerance) const {
     return std::abs(x[std::size_t(axis)] - at) < tolerance;
   }
 };
 std::vector<MirrorPlane> mirror_planes(const Scene& scene, std::size_t body);
-/// Of a particle's volume, what belongs to the body: 1/2 on a symmetry plane, 1/4 on two, else 1.
+/// The part of a particle's volume that belongs to the body and not to its image: 1/2 on a symmetry plane,
+/// 1/4 on two, else 1.
 double part_of(const Point& x, double spacing, const std::vector<MirrorPlane>& planes);
 
 struct Particles {
@@ -58,62 +60,68 @@ struct Particles {
   std::vector<Point> position;  ///< m; the body's own particles, then the mirrored ones
   /// V_i by the mass rule, m^dim (an area in 2D, without the thickness).
   std::vector<double> volume;
-  /// f_i, share of the full angle that the body (with its images) fills there: 1 inside, 1/2 on a face, 1/4
-  /// on an edge.
+  /// f_i, the part of the full (solid) angle around the particle that the body and its images fill: 1 inside,
+  /// 1/2 on a face, 1/4 on an edge.
   std::vector<double> fraction;
-  /// K_i, of a neighbour in kernel sums, m^dim: V_i, or V_i / f_i (set_kernel_volumes).
+  /// K_i, the volume that the particle has as a neighbour in kernel sums, m^dim: V_i, or V_i / f_i
+  /// (set_kernel_volumes).
   std::vector<double> kernel_volume;
   std::vector<double> part;         ///< part_of() each particle
   std::vector<Mirrored> mirrored;   ///< the last of `position`
-  std::vector<MirrorPlane> planes;  ///< that these are mirrored in
+  std::vector<MirrorPlane> planes;  ///< the planes of `mirrored`
   Lattice lattice;
-  /// Of a fitted body in place of the lattice: the particles are the cells' corners, in lexicographic order.
+  /// Fitted particles, which have no lattice: cells whose corners, in lexicographic order, are the particles.
   std::vector<std::array<int, 8>> cells;
-  std::string note;  ///< what the user should know of the filling; empty: nothing
-  /// False once jittered, when the lattice only says which particles are where, and in a fitted body.
+  std::string note;  ///< a warning about the filling; empty: none
+  /// The particles are on the lattice; false for jittered and for fitted particles.
   bool regular = true;
 
-  std::size_t size() const { return position.size() - mirrored.size(); }  ///< of the body's own
+  std::size_t size() const { return position.size() - mirrored.size(); }  ///< without the mirrored ones
   double own_volume(std::size_t i) const { return volume[i] * part[i]; }
   /// The particle itself, or the one that it mirrors.
   std::size_t own(std::size_t i) const { return i < size() ? i : mirrored[i - size()].of; }
-  /// Of component a of a vector at particle i, if that of own(i) is known.
+  /// Component a of a vector at particle i is that of own(i) times this.
   double sign(std::size_t i, int a) const {
     return i < size() ? 1.0 : mirrored[i - size()].sign[std::size_t(a)];
   }
-  bool on_plane(std::size_t i, const MirrorPlane& plane) const {
-    return plane.holds(position[i], 1e-6 * spacing);
+  bool on_plane(const Point& x, const MirrorPlane& plane) const { return plane.holds(x, 1e-6 * spacing); }
+  /// v without its components normal to the symmetry planes that particle i lies on.
+  Point along_planes(std::size_t i, Point v) const {
+    for (const MirrorPlane& m : planes)
+      if (on_plane(position[i], m)) v[std::size_t(m.axis)] = 0;
+    return v;
   }
 };
 
-/// The spacing is adjusted per axis so that particles sit on both ends of the body's bounding box.
-/// Throws std::runtime_error when the spacing does not fit the body.
-/// Volumes are those in the body with its mirror images: beyond a symmetry plane it goes on.
+/// Fills a body on a lattice. The spacing is adjusted along each axis so that particles are on both ends of
+/// the bounding box. Volumes are those in the body and its mirror images. Throws Refusal if the spacing does
+/// not fit the body.
 Particles fill(const Shape& shape, const Options& options, const std::vector<MirrorPlane>& planes = {});
 
-/// The particles of a shape that has cells, or cuts itself into some (meshes, rings, cylinders, ..), are the
-/// corners of these, cut to the spacing: those on a side lie on it. Volumes are what the cells' shape
-/// functions integrate to (`trapezoid`), or as in fill(). Empty if the cells do not suit the spacing; then
-/// `why`.
+/// Fills a shape that has cells or can be cut into cells (meshes, rings, cylinders, ..): the particles are
+/// the corners of these cells, cut to the spacing, so particles on a side lie on it. Volumes are the
+/// integrals of the cells' shape functions (`trapezoid`), or as in fill(). Empty if the cells do not suit the
+/// spacing; `why` then says why.
 std::optional<Particles> fill_fitted(const Shape& shape, const Options& options,
                                      const std::vector<MirrorPlane>& planes, std::string& why);
-/// The shape has cells or cuts itself into some, and the options do not ask for the lattice.
+/// Whether fill_fitted() applies: the shape has cells or can be cut into cells, and the options do not choose
+/// the lattice.
 bool is_fitted(const Shape& shape, const Options& options);
-/// As fitted as the shape allows, else on the lattice; its `note` says why if that is not what the options
-/// ask for.
+/// fill_fitted() where it applies and succeeds, else fill(); `note` then says why it did not succeed.
 Particles fill_best(const Shape& shape, const Options& options, const std::vector<MirrorPlane>& planes = {});
 
-/// A body's own cells cut into pieces of about `spacing`, conformingly: opposite edges of a cell have one
-/// number of pieces, and so on from cell to cell. Empty if some piece's edge would then be outside of what
-/// one smoothing length suits; then `why`.
+/// The cells of a body cut into pieces of about `spacing`. The pieces fit together: opposite edges of a cell
+/// have the same number of pieces, and so from cell to cell. Empty if an edge of a piece would be too short
+/// or too long for one smoothing length; `why` then says so.
 std::optional<CellMesh> cut_to_spacing(const CellMesh& mesh, double spacing, std::string& why);
 
-/// Whole cells V_i / f_i make the derivative of the layer below a surface central: with trapezoid volumes the
-/// kernel sums then satisfy summation by parts, and a uniform stress needs its traction on the surface alone.
+/// Sets K_i. With whole cells, K_i = V_i / f_i, and trapezoid volumes, kernel sums satisfy summation by
+/// parts: the derivative in the first layer below a surface is central, and a uniform stress is in balance
+/// with a traction on the surface particles alone.
 void set_kernel_volumes(Particles& particles, KernelVolume kind);
 
 /// Adds the mirror images of the particles within `radius` of each plane, corners of two planes included.
-/// Throws std::runtime_error if two opposite planes are nearer than that.
+/// Throws Refusal if two opposite planes are nearer than that.
 void add_mirrored(Particles& particles, const std::vector<MirrorPlane>& planes, double radius);
 
 }  // namespace femsph::sph

@@ -134,7 +134,7 @@ void all_of(const std::string& method, const Make& make) {
 
 int main() {
   set_threads(1);
-  const auto fem = [](fem::Element element) -> Make {
+  const auto fem = [](const char* element) -> Make {
     return [=](const Scene& scene) {
       fem::Options o;
       o.element = element;
@@ -146,13 +146,13 @@ int main() {
     o.spacing = 0.1 / 15;
     return [=](const Scene& scene) { return sph::discretize(scene, 0, o); };
   };
-  all_of("fem-full", fem(fem::Element::full));
-  all_of("fem-one-point", fem(fem::Element::one_point));
+  all_of("fem-full", fem("full"));
+  all_of("fem-one-point", fem("one-point"));
   all_of("sph-corrected", sph({}));
 
   const Scene plain = scene_with();
   sph::Options classic;
-  classic.formulation = sph::Formulation::classic;
+  classic.formulation = "classic";
   march("sph-classic: march", sph(classic), plain);
   classic.viscosity = {0, 0, 1};
   march("sph-classic: viscosity off", sph(classic), plain);

@@ -4,7 +4,8 @@
 #include <stdexcept>
 
 #include "fem/elements/cell_loop_impl.hpp"
-#include "fem/elements/one_point.hpp"
+#include "fem/elements/elements.hpp"
+#include "fem/elements/loops.hpp"
 #include "sph/formulations/discretize.hpp"
 #include "sph/formulations/total_lagrangian_output.hpp"
 
@@ -29,11 +30,24 @@ std::unique_ptr<CellLoop> plane_loop(const LoopInput& in) {
   if (in.large_motion) absent();
   return std::make_unique<Loop<ElementType, SmallStrain, Plastic, 2, Pack>>(in, std::get<Plastic>(in.law));
 }
-std::unique_ptr<CellLoop> make_full_loop(const LoopInput& in) { return plane_loop<FullElement>(in); }
-std::unique_ptr<CellLoop> make_one_point_loop(const LoopInput& in) { return plane_loop<OnePointElement>(in); }
-std::unique_ptr<CellLoop> make_perturbed_loop(const LoopInput&) { absent(); }
-std::unique_ptr<CellLoop> make_sri_loop(const LoopInput&) { absent(); }
-std::unique_ptr<CellLoop> make_assumed_strain_loop(const LoopInput&) { absent(); }
+// In the order of the list.
+template <>
+std::unique_ptr<CellLoop> loop_from<0>(std::size_t, const LoopInput& in) {
+  return plane_loop<FullElement>(in);
+}
+template <>
+std::unique_ptr<CellLoop> loop_from<1>(std::size_t, const LoopInput&) {
+  absent();
+}
+template <>
+std::unique_ptr<CellLoop> loop_from<2>(std::size_t, const LoopInput& in) {
+  return plane_loop<OnePointElement>(in);
+}
+template <>
+std::unique_ptr<CellLoop> loop_from<3>(std::size_t, const LoopInput&) {
+  absent();
+}
+std::unique_ptr<CellLoop> controlled_loop(std::size_t, const LoopInput&) { absent(); }
 
 }  // namespace fem
 
@@ -41,7 +55,8 @@ namespace sph {
 
 template <int dim>
 std::unique_ptr<Discretization> total_lagrangian(const Scene& scene, std::size_t body, const Options& options,
-                                                 Particles particles, const Kernel& kernel) {
+                                                 Particles particles, const Kernel& kernel,
+                                                 Correction wanted) {
   if constexpr (dim == 2) {
     const auto with =
         [&]<class Kinematics, Correction correction>(const auto& law) -> std::unique_ptr<Discretization> {
@@ -50,7 +65,7 @@ std::unique_ptr<Discretization> total_lagrangian(const Scene& scene, std::size_t
           scene, body, options, std::move(particles), kernel, law);
     };
     const Law law = scene.material_of(scene.bodies[body]).law(scene.plane);
-    const bool classic = options.formulation == Formulation::classic, hourglass = options.hourglass > 0;
+    const bool classic = wanted == Correction::none, hourglass = wanted == Correction::matrix_and_hourglass;
     if (const auto* elastic = std::get_if<LinearElastic>(&law)) {
       if (classic) return with.template operator()<SmallStrain, Correction::none>(*elastic);
       if (scene.large_motion)
@@ -71,9 +86,9 @@ std::unique_ptr<Discretization> updated_lagrangian(const Scene&, std::size_t, co
 }
 
 template std::unique_ptr<Discretization> total_lagrangian<2>(const Scene&, std::size_t, const Options&,
-                                                             Particles, const Kernel&);
+                                                             Particles, const Kernel&, Correction);
 template std::unique_ptr<Discretization> total_lagrangian<3>(const Scene&, std::size_t, const Options&,
-                                                             Particles, const Kernel&);
+                                                             Particles, const Kernel&, Correction);
 template std::unique_ptr<Discretization> updated_lagrangian<2>(const Scene&, std::size_t, const Options&,
                                                                Particles, const Kernel&);
 template std::unique_ptr<Discretization> updated_lagrangian<3>(const Scene&, std::size_t, const Options&,

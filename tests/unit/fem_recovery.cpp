@@ -4,16 +4,14 @@
 
 #include <map>
 
-#include "fem/fem.hpp"
+#include "fem_support.hpp"
 #include "model/scene/shapes/box.hpp"
 #include "tests/unit/recovery_cases.hpp"
 
 namespace femsph::test {
 namespace {
 
-using fem::Element;
-const std::vector<Element> all_of_them{
-    Element::full, Element::sri, Element::one_point, Element::assumed_strain};
+const std::vector<Element>& all_of_them = all_elements;
 
 std::unique_ptr<Discretization> mesh_of(const Scene& scene, Element element,
                                         std::array<int, 3> divisions = {}) {

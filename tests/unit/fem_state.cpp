@@ -3,9 +3,8 @@
 
 #include <gtest/gtest.h>
 
-#include "fem/elements/assumed_strain.hpp"
 #include "fem/elements/cell_loop_impl.hpp"
-#include "fem/elements/one_point.hpp"
+#include "fem/elements/elements.hpp"
 #include "fem_support.hpp"
 #include "model/scene/shapes/box.hpp"
 

@@ -5,6 +5,8 @@
 #include <functional>
 #include <memory>
 #include <random>
+#include <string>
+#include <string_view>
 #include <vector>
 
 #include "fem/fem.hpp"
@@ -12,7 +14,15 @@
 
 namespace femsph::test {
 
-using fem::Element;
+/// The word of an element, as fem::Options takes it.
+struct Element {
+  const char* word;
+  operator std::string() const { return word; }
+  bool operator==(const Element& other) const { return std::string_view(word) == other.word; }
+  static const Element full, sri, one_point, assumed_strain;
+};
+inline constexpr Element Element::full{"full"}, Element::sri{"sri"}, Element::one_point{"one-point"},
+    Element::assumed_strain{"assumed-strain"};
 inline const std::vector<Element> all_elements{
     Element::full, Element::sri, Element::one_point, Element::assumed_strain};
 

@@ -52,7 +52,7 @@ constexpr double round_off = 1e-12;
 
 TEST(SphOperator, CorrectedGradientOfALinearFieldIsExact) {
   for (const Variant& v : variants()) {
-    if (v.options.formulation != sph::Formulation::corrected) continue;
+    if (v.options.formulation != "corrected") continue;
     const Scene scene = box_scene(v.plane, size_for(v.plane));
     const auto d = sph::discretize(scene, 0, v.options);
     const auto u = linear_vector(*d, gradient_of_field);
@@ -129,7 +129,7 @@ TEST(SphOperator, MomentumIsKeptToRoundOff) {
     }
     for (int c = 0; c < 3; ++c) {
       EXPECT_LT(std::abs(sum[c]), 1e-13 * size) << v.name;
-      if (v.options.formulation != sph::Formulation::corrected) continue;
+      if (v.options.formulation != "corrected") continue;
       EXPECT_LT(std::abs(moment[c]), 1e-13 * size) << v.name;
     }
   }
@@ -155,7 +155,7 @@ TEST(SphOperator, LatticeAndListsAgreeWithAllPairs) {
 TEST(SphOperator, ThreadsDoNotChangeABit) {
   const Scene scene = box_scene(Plane::stress, {0.8, 0.4, 0});
   for (sph::Options options : {corrected(0.005), classic(0.005, sph::MassRule::share)}) {
-    if (options.formulation == sph::Formulation::classic) options.viscosity = {3, 3, 1};
+    if (options.formulation == "classic") options.viscosity = {3, 3, 1};
     const auto d = sph::discretize(scene, 0, options);
     ASSERT_GT(d->layout().points, serial_below);
     const auto u = random_vector(*d, 5), v = random_vector(*d, 6, 1.0);

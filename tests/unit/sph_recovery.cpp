@@ -78,7 +78,7 @@ TEST(SphRecovery, SurfaceOfClassicParticles) {
       Scene scene = recovery_scene(std::make_shared<Box>(2, Point{}, Point{1, 0.6, 0}), Plane::stress);
       if (symmetric) scene.symmetries.push_back({Place{0, {"x-"}, {}, {}}});
       sph::Options options;
-      options.formulation = sph::Formulation::classic;
+      options.formulation = "classic";
       options.mass = mass;
       options.spacing = 0.1;
       const auto d = sph::discretize(scene, 0, options);

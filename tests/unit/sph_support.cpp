@@ -40,8 +40,7 @@ AlignedVector<double> plain_force(const Scene& scene, const sph::Options& option
   const auto volume = [&](std::size_t i) { return d.mass()[i] / density / thickness; };
   // A box filled by a lattice: a neighbour counts with its whole cell in the kernel sums, where it is asked
   // to.
-  const bool whole = options.formulation == sph::Formulation::corrected &&
-                     options.kernel_volume == sph::KernelVolume::whole;
+  const bool whole = options.formulation == "corrected" && options.kernel_volume == sph::KernelVolume::whole;
   const auto kernel_volume = [&](std::size_t j) { return whole ? std::pow(d.spacing(), dim) : volume(j); };
   const auto gradient = [&](std::size_t i, std::size_t j, double(&g)[3], double(&x)[3]) {
     double r2 = 0;
@@ -64,7 +63,7 @@ AlignedVector<double> plain_force(const Scene& scene, const sph::Options& option
     }
     Matrix B;
     for (int r = 0; r < 3; ++r) B.a[r][r] = 1;
-    if (options.formulation == sph::Formulation::corrected) B = inverse(M, dim);
+    if (options.formulation == "corrected") B = inverse(M, dim);
     Matrix G, Q;
     double trace = 0;
     for (int r = 0; r < dim; ++r)

@@ -30,7 +30,7 @@ inline Scene box_scene(Plane plane, Point size, bool large = false) {
 inline sph::Options classic(double spacing, sph::MassRule mass,
                             sph::Boundary boundary = sph::Boundary::none) {
   sph::Options o;
-  o.formulation = sph::Formulation::classic;
+  o.formulation = "classic";
   o.spacing = spacing;
   o.mass = mass;
   o.boundary = boundary;

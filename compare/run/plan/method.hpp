@@ -11,8 +11,8 @@
 
 namespace femsph::compare {
 
-/// A discretization by its name in tables: fem-full, fem-sri, fem-one-point, fem-assumed-strain,
-/// sph-classic-share, sph-classic-full, sph-classic-trapezoid, sph-virtual, sph-weight, sph-corrected.
+/// A discretization by its name in tables: "fem-" and the word of an element, or "sph-" and that of a variant
+/// of an SPH formulation.
 struct Method {
   std::string name;
   std::variant<fem::Options, sph::Options> options;

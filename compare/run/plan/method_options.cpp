@@ -44,14 +44,14 @@ fem::Options& fem_of(Method& m) { return std::get<fem::Options>(m.options); }
 double number(const OptionValue& value) { return std::get<double>(value); }
 
 bool is_classic(const Method& m) {
-  return std::get<sph::Options>(m.options).formulation == sph::Formulation::classic;
+  return !sph::formulation_named(std::get<sph::Options>(m.options).formulation).corrected;
 }
 std::string never(const Method&) { return ""; }
 std::string unless_corrected(const Method& m) { return is_classic(m) ? "it belongs to corrected SPH" : ""; }
 std::string unless_classic(const Method& m) { return is_classic(m) ? "" : "it belongs to classic SPH"; }
 std::string without_hourglass(const Method& m) {
   if (!m.is_fem()) return is_classic(m) ? "classic SPH has no hourglass control" : "";
-  return std::get<fem::Options>(m.options).element == fem::Element::one_point
+  return fem::element_named(std::get<fem::Options>(m.options).element).hourglass_control
              ? ""
              : "of the elements, only fem-one-point has an hourglass control";
 }

@@ -55,7 +55,7 @@ void ContactPair::search(Bodies bodies, long step, double dt) {
   if (step == 0) refuse_overlap(bodies);
   for (Pass& pass : passes_) search(bodies, pass);
   mark_active();
-  const double steps = skin_ / (2 * fastest * dt);  // infinite before the first step, whose dt is 0
+  const double steps = skin_ / (2 * fastest * dt);  // infinite if dt is 0
   next_search_ = step + (std::isfinite(steps) ? std::max(1L, long(steps)) : 1L);
 }
 

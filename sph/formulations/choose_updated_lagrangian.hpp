@@ -1,5 +1,5 @@
 #pragma once
-// Included by updated_lagrangian_2d.cpp and _3d.cpp alone.
+// From the scene's law to the class. Included by updated_lagrangian_2d.cpp and _3d.cpp alone.
 
 #include "sph/formulations/updated_lagrangian.hpp"
 
