@@ -1,6 +1,7 @@
 # A room is a folder with a static library of its own, which links the rooms below it and no others: what is
 # included from above does not link. (tests/arrows reads the includes of headers too.)
-#   femsph_room(NAME FOLDER [HURRIED] [FUZZED] [EXCEPT source..] [APART source..] [USES library..] BELOW room..)
+#   femsph_room(NAME FOLDER [HURRIED] [FUZZED] [EXCEPT source..] [APART source..] [USES library..]
+#     BELOW room..)
 # NAME becomes the target femsph_NAME. HURRIED: it computes no result, and -O1 will do. FUZZED: the fuzzing
 # targets look for inputs that reach new code of it. EXCEPT: sources that belong to a program. APART: sources
 # that are never joined with others in one translation unit. USES: libraries that this room alone sees. The
