@@ -7,6 +7,7 @@
 #include "compare/run/run.hpp"
 #include "compare_support.hpp"
 #include "model/scene/reader/reader.hpp"
+#include "tests/scene_text.hpp"
 
 namespace femsph::compare {
 namespace {

@@ -7,6 +7,7 @@
 #include "model/motion/bodies/bars.hpp"
 #include "model/motion/effects/catalogue.hpp"
 #include "model/scene/reader/reader.hpp"
+#include "tests/scene_text.hpp"
 
 namespace femsph {
 namespace {

@@ -9,6 +9,7 @@
 #include "model/material/material.hpp"
 #include "model/scene/shapes/shapes.hpp"
 #include "model_faults.hpp"
+#include "tests/scene_text.hpp"
 
 namespace femsph {
 namespace {

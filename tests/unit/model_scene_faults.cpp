@@ -88,8 +88,7 @@ std::string text_of(const std::string& file) {
   return {std::istreambuf_iterator<char>(in), {}};
 }
 
-// Anything but a Scene or an InputError fails the test by leaving it.
-/// Whether the text is refused.
+/// Whether the text is refused. Any other exception than InputError fails the test.
 bool refused(const std::string& text) {
   try {
     parse_scene(text, folder + "mutated.toml");

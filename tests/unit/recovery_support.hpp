@@ -8,6 +8,7 @@
 
 #include "model/numerics/array.hpp"
 #include "model/numerics/vectors.hpp"
+#include "model/results/flow_limit.hpp"
 #include "model/results/recovery.hpp"
 #include "model/scene/scene.hpp"
 #include "model/scene/shapes/box.hpp"
