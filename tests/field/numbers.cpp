@@ -142,7 +142,7 @@ std::pair<double, std::string> number_of(const Read& read, const std::string& fo
 }  // namespace
 
 std::string shown(double number, const std::string& unit) {
-  return fmt::format(unit == "1" ? "{:.5g}" : "{:.5g} {}", number, unit);
+  return fmt::format("{:.5g}{}", number, unit == "1" ? "" : " " + unit);
 }
 
 void compare_read(const Read& read, const std::string& folder, const std::string& printed, Finding& finding) {
