@@ -1,13 +1,12 @@
 // Counts instructions, under valgrind --tool=callgrind, of the same steps done in different ways.
 // tests/bench/instructions runs it and reads the counts. Built for x86-64-v3: valgrind does not know AVX-512.
 //
-//   bare    the discretization's internal force and a leap-frog of ten lines, here: nothing else is there to
-//   cost anything march   the product's march of a scene that names no effect
-//   .. off  the same with an effect declared, and declared to do nothing
-//   .. on   the same with the effect: the counter sees what there is
+//   bare    the internal force of the discretization and a leap-frog of ten lines here: nothing else
+//   march   the march of the product, of a scene that names no effect
+//   .. off  the same with an effect declared, and set to zero
+//   .. on   the same with the effect: the count must grow
 //
-// The 15 steps counted are some in which the march does not look for trouble (it does so in every 25th) nor
-// samples.
+// The 15 steps that are counted contain neither a check of the state (every 25th step) nor a sample.
 
 #include <valgrind/callgrind.h>
 

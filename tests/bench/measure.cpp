@@ -24,8 +24,10 @@ std::unique_ptr<Discretization> discretize(const Case& c, const Scene& scene, do
 /// A discretization and the motion it is put through:
 ///   elastic, idle   noise of 1e-6 of the spacing, always the same
 ///   tenth, all      a stretch along x of 1 % + 2e-5 a step, with a tenth of that as noise; of the first
-///   tenth of the body, or of all of it moving          waves, the fastest particle 0.01 d a step (0.02 of
-///   the wave speed), five spacings far
+///   tenth
+///                   of the body, or of all of it
+///   moving          waves; the fastest particle moves 0.01 d a step (0.02 of the wave speed), up to five
+///                   spacings
 class Bench {
  public:
   Bench(const Case& c, bool oracle)

@@ -1,5 +1,5 @@
 #pragma once
-// The clock of the bench. Times are CPU seconds unless said otherwise.
+// What the bench measures. Times are CPU seconds unless stated otherwise.
 
 #include <benchmark/benchmark.h>
 
@@ -18,7 +18,7 @@ void two_threads(benchmark::State& state, const Case& c);
 /// A step of the whole march, with everything that the scene asks for, without set-up.
 void march_step(benchmark::State& state, const Case& c);
 
-/// a = b + s c: what the memory gives.
+/// a = b + s c, the triad: the speed of the memory.
 void triad(benchmark::State& state, std::size_t n);
 
 }  // namespace femsph::bench

@@ -1,6 +1,6 @@
 #pragma once
-// What users met, as data: one file in cases/ for each line of the table in README.md, which says how the
-// file is written.
+// Problems that users met, as data: one file in cases/ for each line of the table in README.md, which
+// describes the format.
 
 #include <array>
 #include <map>
@@ -42,7 +42,7 @@ struct Run {
                            ///< go, byte by byte
   std::vector<int> exit{0};               ///< one of these
   std::vector<std::string> says, silent;  ///< what the program must print, and must not
-  std::string gap;                        ///< why the right result is not yet asked for
+  std::string gap;                        ///< why the right result is not expected yet
   std::vector<Read> reads;
 };
 

@@ -1,5 +1,5 @@
-// What users met, judged: `field [--quick] [--jobs N] [--out DIR] [--readme FILE] CASE.toml ..`. Exit code 0:
-// every verdict is as expected; 1: one is not, or a file of cases is wrong; 77: nothing to do.
+// Runs the cases and judges them: `field [--quick] [--jobs N] [--out DIR] [--readme FILE] CASE.toml ..`. Exit
+// code 0: every verdict is as expected; 1: one is not, or a file of cases is wrong; 77: nothing to do.
 
 #include <fmt/format.h>
 

@@ -1,6 +1,6 @@
 // Any bytes as a mesh: cells that shapes can use, or a std::runtime_error. Gmsh works in a child process,
-// where this fuzzer sees no coverage: what is tried here is that nothing it does reaches this side, and that
-// what comes back is sound.
+// where this fuzzer sees no coverage: this checks that no failure of Gmsh reaches the parent, and that
+// returned cells are valid.
 
 #include "model/scene/shapes/mesh.hpp"
 

@@ -1,5 +1,5 @@
-// Threads: every item once, sums the same to the last bit for any number of threads, errors carried back,
-// thousands of short loops.
+// The thread pool: every item once, sums the same to the last bit for any number of threads, errors passed
+// on, thousands of short loops.
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-// Advice from ladders whose law is known.
+// Advice from ladders of spacings whose errors follow a known law.
 
 #include <gmock/gmock.h>
 
@@ -31,7 +31,7 @@ class Advise : public ::testing::Test {
     question.methods = {
         method_named("fem-full"), method_named("sph-corrected"), method_named("sph-classic-share")};
     question.budget = 50;
-    // FEM errs by 10 % at 100 mm, corrected SPH by 40 %; classic SPH has its limit 20 % beside theirs.
+    // At 100 mm FEM has an error of 10 %, corrected SPH of 40 %; the limit of classic SPH is 20 % off.
     engine.run = [](const Scene&, const Method& method, const Resolution& resolution, const RunOptions&) {
       const double d = resolution.spacing, c = method.is_fem() ? 10 : 40;
       return at(method.name == "sph-classic-share" ? -0.006 : -0.005, c, d);
@@ -80,7 +80,7 @@ TEST_F(Advise, LeastErrorInATime) {
   EXPECT_NEAR(outcome.cpu / advice.best->cpu, 1, 0.05);
 }
 
-TEST_F(Advise, NobodyMeetsNobody) {
+TEST_F(Advise, NoTwoMethodsAgree) {
   question.error = 1;
   question.methods = {method_named("sph-corrected"), method_named("sph-classic-share")};
   const Advice advice = advise(scene, question, engine);
@@ -147,7 +147,7 @@ TEST_F(Advise, OptionsAreReadWithTheirUnits) {
   EXPECT_THAT(refused([](auto&) {}), HasSubstr("has no probe"));
 }
 
-// A study asks, follows and measures.
+// A study asks for advice, makes the advised run and measures its error.
 TEST_F(Advise, AStudyFollowsIt) {
   const Folder folder("advice");
   folder.write("beam/scene.toml", cantilever_toml);
@@ -155,12 +155,7 @@ TEST_F(Advise, AStudyFollowsIt) {
 [[runs]]
 methods = ["fem-full"]
 spacing = ["20 mm"]
-[[quantities]]
-name = "tip"
-probe = "tip"
-component = "y"
-unit = "mm"
-[[advice]]
+)" + tip_quantity("tip") + R"([[advice]]
 quantity = "tip"
 error = 0.1
 methods = ["fem-full", "sph-corrected"]

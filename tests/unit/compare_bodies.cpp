@@ -1,5 +1,5 @@
-// A number belongs to the body that its probe or section names, whichever comes first in the scene; a theory
-// of one body refuses any other scene; and what has no value is said, not taken from what is left.
+// A number is that of the body that its probe or section names, in whatever order the scene lists them. A
+// theory of one body refuses other scenes. A value that is missing is reported and not replaced by another.
 
 #include <gmock/gmock.h>
 
@@ -95,7 +95,7 @@ TEST(Bodies, AMomentIsOfASectionAlongY) {
               HasSubstr("has no upper and no lower end"));
 }
 
-// The limit's moment is its moment, and not the stress of its upper fibre.
+// The limit of a moment is a moment, and not the stress of the upper fibre.
 TEST(Bodies, TheLimitOfAMomentIsAMoment) {
   Scene scene = two_bodies(false);
   scene.settling.emplace();
@@ -122,7 +122,7 @@ TEST(Bodies, ExcessIsOverTheYieldCurveOfItsOwnBody) {
               HasSubstr("read in two bodies, \"thin\" and \"thick\""));
 }
 
-TEST(Sweep, WhatIsNoNumberIsSaid) {
+TEST(Sweep, NotANumberIsReported) {
   const Scene scene = two_bodies(false);
   const double nan = std::nan("");
   for (const Reduce reduction : {Reduce::max, Reduce::min, Reduce::peak, Reduce::mean, Reduce::integral,

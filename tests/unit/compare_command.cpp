@@ -1,5 +1,5 @@
-// From the words of a command line to a method and a resolution: every number has a range, and what would do
-// nothing is refused.
+// From the command line to a method and a resolution: every number has a range, and an option without effect
+// is refused.
 
 #include <fmt/format.h>
 #include <gmock/gmock.h>
@@ -27,7 +27,7 @@ RunCommand by(const char* solver) {
   return c;
 }
 
-/// What a call complains of; empty: nothing.
+/// The message of a call; empty if it is accepted.
 template <class Call>
 std::string complaint(Call&& call) {
   try {
@@ -110,7 +110,7 @@ TEST(Command, SafetyAndThreadsHaveRanges) {
   EXPECT_EQ(checked_threads(512), 512);
 }
 
-TEST(Command, AnOptionThatWouldDoNothingIsRefused) {
+TEST(Command, AnOptionWithoutEffectIsRefused) {
   EXPECT_EQ(
       of_method("fem", "smoothing", 1.2), "--smoothing does nothing with fem-full: it is an option of SPH");
   EXPECT_EQ(of_method("fem", "mass", "full"), "--mass does nothing with fem-full: it is an option of SPH");
@@ -122,7 +122,7 @@ TEST(Command, AnOptionThatWouldDoNothingIsRefused) {
   EXPECT_EQ(of_method("sph", &RunCommand::viscosity, std::vector<double>{1, 1, 0.01}),
             "--viscosity does nothing with sph-corrected: it belongs to classic SPH");
   EXPECT_EQ(of_method("sph", "mass", "full"),
-            "");  // what a particle at the boundary weighs is a choice there too
+            "");  // the mass of boundary particles is a choice there too
   const Scene cell = one_cell(), box = cantilever();
   EXPECT_EQ(
       of_resolution(cell, "fem", "10 mm", {}),
@@ -155,8 +155,8 @@ TEST(Command, ResolutionsAreOneAxisANumber) {
   EXPECT_EQ(of_resolution(scene, "fem", {}, {50, 10}), "");
 }
 
-// SPH honours all divisions or none: 100 x 10 of 1000 x 100 mm are particles 10 mm apart, 50 x 10 would be 20
-// and 10 mm.
+// SPH uses all divisions, or refuses them: 100 x 10 of 1000 x 100 mm are particles 10 mm apart, 50 x 10 would
+// be 20 and 10 mm.
 TEST(Command, DivisionsForParticlesMustMeanOneSpacing) {
   const Scene scene = cantilever();
   EXPECT_EQ(of_resolution(scene, "sph", {}, {100, 10}), "");

@@ -1,4 +1,4 @@
-// The drifts that studies show, on runs whose conservation is known.
+// Drifts of momentum and energy, on runs for which they are known.
 
 #include <gtest/gtest.h>
 
@@ -7,24 +7,20 @@
 #include "compare/run/run.hpp"
 #include "compare_support.hpp"
 #include "model/scene/reader/reader.hpp"
+#include "tests/scene_text.hpp"
 
 namespace femsph::compare {
 namespace {
 
+using namespace scene_text;
+
+/// A plate of rubber, and the tables after it.
 RunResult run(const std::string& rest, const char* method, const char* motion) {
-  const Scene scene = parse_scene(std::string("[model]\nplane = \"strain\"\nmotion = \"") + motion + R"("
-[materials.m]
-law = "elastic"
-young = "17 MPa"
-poisson = 0.3
-density = "1100 kg/m^3"
-[bodies.plate]
-shape = "box"
-size = ["1 m", "0.5 m"]
-thickness = "1 m"
-material = "m"
-)" + rest,
-                                  "drift.toml");
+  const Scene scene = parse_scene(
+      model("strain", fmt::format("motion = \"{}\"\n", motion)) +
+          material("m", "elastic", "17 MPa", "0.3", "1100 kg/m^3") +
+          box("plate", "1 0.5 m", thick("1 m"), "m") + rest,
+      "drift.toml");
   RunOptions options;
   options.scalars = {"energy_drift"};
   return run_scene(scene, method_named(method), {0.125, {}}, options);
@@ -37,8 +33,8 @@ const std::string bend =
     "[[supports]]\nat = \"x-\"\nfix = [\"x\", \"y\"]\n[[initial]]\ngradient = [[\"0 1/s\", \"0 1/s\"], [\"1 "
     "1/s\", \"0 1/s\"]]\n[time]\nduration = \"0.05 s\"\nsamples = 50\n";
 
-// A free plate that flies and turns keeps both momenta to round-off where forces come in opposite pairs of no
-// moment.
+// A free plate that flies and turns keeps linear and angular momentum to round-off if its internal forces are
+// central pairs.
 TEST(Conservation, AFreeBodyKeepsItsMomenta) {
   for (const char* method : {"fem-full", "fem-one-point", "fem-assumed-strain", "sph-corrected"}) {
     const auto s = run(spin, method, "large").scalars;
@@ -49,15 +45,16 @@ TEST(Conservation, AFreeBodyKeepsItsMomenta) {
   }
 }
 
-// Forces of the uncorrected gradient come in opposite pairs too, but off the line that joins their points.
+// The uncorrected gradient gives opposite pairs too, but not along the line that joins their points.
 TEST(Conservation, SeesTheAngularMomentumThatClassicSphLoses) {
   const auto s = run(spin, "sph-classic-share", "large").scalars;
   EXPECT_LT(s.at("momentum_drift"), 1e-12);
   EXPECT_GT(s.at("angular_momentum_drift"), 1e-6);
 }
 
-// Of a held body the momenta change; what counts is that its internal forces add up to nothing.
-TEST(Conservation, AHeldBodyIsAskedForItsInternalForces) {
+// The momentum of a held body changes. Its drift is that of the sum of the internal forces, which must be
+// zero.
+TEST(Conservation, OfAHeldBodyTheInternalForcesAddUpToZero) {
   for (const char* method : {"fem-full", "sph-corrected"}) {
     const auto s = run(bend, method, "small").scalars;
     EXPECT_LT(s.at("momentum_drift"), 1e-11) << method;

@@ -32,7 +32,7 @@ TEST(Errors, L2WeighsByTheTrapezoidRule) {
   EXPECT_NEAR(*percent_l2(x, v, r), 100 * std::sqrt(0.5 / 2), 1e-12);
 }
 
-TEST(Errors, ResamplingIsExactOnLinesAndSilentBeyondTheEnds) {
+TEST(Errors, ResamplingIsExactOnLinesAndEmptyBeyondTheEnds) {
   const std::vector<double> x = {0, 1, 3}, v = {0, 2, 6};
   const auto at = resample(x, v, std::vector<double>{0, 0.5, 2, 3, 3.1, -0.1});
   EXPECT_DOUBLE_EQ(at[1], 1);
@@ -69,7 +69,7 @@ TEST(Errors, FrequencyDoesNotNeedWholePeriodsOrAZeroMean) {
   }
 }
 
-TEST(Errors, NoFrequencyWithoutASwing) {
+TEST(Errors, NoFrequencyWithoutOscillation) {
   const auto t = times(1, 100);
   EXPECT_FALSE(dominant_frequency(t, t));
   EXPECT_FALSE(dominant_frequency(t, std::vector<double>(t.size(), 1.0)));

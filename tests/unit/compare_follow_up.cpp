@@ -1,5 +1,4 @@
-// One fault of a study, one message: what refers to a run, scene or quantity at fault says nothing of its
-// own.
+// One fault of a study gives one message: what refers to a faulty run, scene or quantity adds none.
 
 #include <gmock/gmock.h>
 
@@ -22,15 +21,8 @@ cases = ["a", "b"]
 methods = ["fem-full"]
 divisions = ["20x2", "40x4"]
 quick = ["a"]
-[[quantities]]
-name = "tip"
-probe = "tip"
-component = "y"
-unit = "mm"
-scene = "scene.toml"
-methods = ["fem-full"]
-theory = "cantilever_tip"
-[[series]]
+)" + tip_quantity("tip", "scene = \"scene.toml\"\nmethods = [\"fem-full\"]\n" + cantilever_tip) +
+                         R"([[series]]
 file = "tip.csv"
 kind = "error"
 quantity = "tip"
@@ -70,14 +62,10 @@ class StudyFollowUp : public ::testing::Test {
   std::string file = folder.write("beam/study.toml", good);
   void SetUp() override { folder.write("beam/scene.toml", cantilever_toml); }
 
-  /// All that is said of the study with `old` replaced, without places.
+  /// All messages about the study with `old` replaced, without places.
   std::string said(const std::string& old, const std::string& instead) {
-    std::string text = good;
-    const auto at = text.find(old);
-    EXPECT_NE(at, std::string::npos) << old;
-    text.replace(at, old.size(), instead);
     try {
-      parse_study(text, file);
+      parse_study(scene_text::replaced(good, old, instead), file);
     } catch (const InputError& e) {
       std::string all;
       for (const Fault& fault : e.faults()) all += (all.empty() ? "" : " | ") + fault.text;

@@ -1,4 +1,4 @@
-// Orders, limits and spacings on ladders whose law is known: e = C d^p, v = limit + C d^p.
+// Orders, limits and spacings from ladders of a known law: e = C d^p, v = limit + C d^p.
 
 #include <gtest/gtest.h>
 
@@ -63,7 +63,7 @@ TEST(LadderSpacing, SaysWhenItExtrapolates) {
 }
 
 // The error passes through zero between 20 and 10 mm, as the tip of uncorrected SPH does: the answer is the
-// spacing from which on every finer rung is good enough, not the lucky one.
+// spacing below which every error is small enough, and not where the error happens to vanish.
 TEST(LadderSpacing, SaysWhenTheErrorIsNotMonotone) {
   const Ladder errors = {{20, 1}, {10, -27}, {5, -8}, {2.5, -1.3}};
   const auto found = spacing_at_error(errors, 8);

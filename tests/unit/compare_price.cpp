@@ -1,4 +1,4 @@
-// The price of accuracy, on ladders whose law is known: e = C d^p, CPU = c d^-3.
+// The cost of accuracy, on ladders of a known law: e = C d^p, CPU = c d^-3.
 
 #include <gmock/gmock.h>
 
@@ -52,9 +52,9 @@ TEST(PricedLadder, InterpolatesAndExtrapolatesAPower) {
   EXPECT_FALSE(l.spacing_for(1e-3));
 }
 
-// 9 %, then by luck 0.01 %, then 2 and 0.5: one percent costs what the last rung but a bit costs, not what
-// the lucky one does.
-TEST(PricedLadder, ALuckyZeroIsNotCredited) {
+// Errors of 9, 0.01, 2 and 0.5 %, where the second is small by chance: 1 % is reached between the last two
+// spacings, and not at the second.
+TEST(PricedLadder, AnErrorNearAChangeOfSignDoesNotCount) {
   const PricedLadder l = ladder({{8, 9}, {4, 0.01}, {2, -2}, {1, -0.5}});
   EXPECT_EQ(l.credited(), (std::vector<double>{9, 2, 2, 0.5}));
   EXPECT_NEAR(l.cost_of(1).spacing, std::sqrt(2.0), 1e-9);  // between the two finest
@@ -63,13 +63,13 @@ TEST(PricedLadder, ALuckyZeroIsNotCredited) {
   EXPECT_EQ(l.cost_of(0.1).basis, Basis::not_reached);
 }
 
-// The sign changes between two rungs: nobody knows where, so the finer of them is what it costs.
+// The error changes its sign between two spacings, at an unknown place: the finer one counts.
 TEST(PricedLadder, NoInterpolationAcrossZero) {
   const PricedLadder l = ladder({{8, 9}, {4, -4}, {2, -2}, {1, -1}});
   EXPECT_EQ(l.cost_of(5).spacing, 4);
 }
 
-TEST(PricedLadder, AFinestRungOnTheOtherSideOfZeroProvesNothing) {
+TEST(PricedLadder, AChangeOfSignAtTheFinestSpacingIsNoConvergence) {
   const PricedLadder l = ladder({{4, 9}, {2, 3}, {1, -0.001}});
   EXPECT_GE(l.credited().back(), 3);
   const auto cost = l.cost_of(1);
@@ -77,8 +77,8 @@ TEST(PricedLadder, AFinestRungOnTheOtherSideOfZeroProvesNothing) {
   EXPECT_THAT(cost.reason, HasSubstr("changes its sign"));
 }
 
-// 6 d - 2: on its way through zero, heading for -2 %.
-TEST(PricedLadder, AnErrorOnItsWayThroughZeroIsWorthWhatItHeadsFor) {
+// An error of 6 d - 2 percent: it passes through zero and tends to -2.
+TEST(PricedLadder, AnErrorThatPassesThroughZeroCountsByItsLimit) {
   const PricedLadder l = ladder({{2, 10}, {1, 4}, {0.5, 1}});
   EXPECT_NEAR(*l.heading(), -2, 1e-9);
   EXPECT_NEAR(l.credited().back(), 2, 1e-9);
@@ -86,8 +86,8 @@ TEST(PricedLadder, AnErrorOnItsWayThroughZeroIsWorthWhatItHeadsFor) {
   EXPECT_THAT(l.cost_of(1.5).reason, HasSubstr("head for an error of -2 %"));
 }
 
-// 2 + d^2 falls at first and stays at 2 %.
-TEST(PricedLadder, AnotherLimitIsSaidToBeSo) {
+// An error of 2 + d^2 percent: it falls at first and tends to 2.
+TEST(PricedLadder, AnotherLimitIsReported) {
   const PricedLadder l = ladder({{8, 66}, {4, 18}, {2, 6}, {1, 3}});
   const auto cost = l.cost_of(0.5);
   EXPECT_EQ(cost.basis, Basis::not_reached);
@@ -155,8 +155,8 @@ class Prices : public ::testing::Test {
   void SetUp() override {
     folder.write("beam/scene.toml", cantilever_toml);
     study = read_study(folder.write("beam/study.toml", study_toml));
-    // 10 mm (1 + 25 d^2), d in m: an error of 1 % at 20 mm, a quarter of it at 10 mm. SPH errs four times as
-    // much.
+    // 10 mm (1 + 25 d^2), d in m: an error of 1 % at 20 mm, a quarter of it at 10 mm. SPH has four times the
+    // error.
     engine.run = [this](const Scene&, const Method& method, const Resolution& resolution, const RunOptions&) {
       const double d = resolution.spacing;
       RunResult r = result(-0.01 * (1 + (method.is_fem() ? 25 : 100) * d * d), 1, d);
@@ -216,7 +216,7 @@ TEST_F(Prices, TablesSayWhatAnErrorCosts) {
       prices,
       StartsWith("scene,method,error_percent,cpu_s,spacing_mm,extrapolated,ratio_to_cheapest,basis\r\n"
                  "beam,fem-full,2,"));
-  // 0.5 %: FEM at 20/sqrt(2) mm, SPH at half that, so eight times dearer.
+  // 0.5 %: FEM at 20/sqrt(2) mm, SPH at half that, at eight times the cost.
   EXPECT_THAT(prices, HasSubstr("beam,fem-full,0.5,0.388908"));
   EXPECT_THAT(prices, HasSubstr("14.1421"));
   EXPECT_THAT(prices, HasSubstr("beam,sph-corrected h=1d,0.5,3.111"));
@@ -229,7 +229,7 @@ TEST_F(Prices, TablesSayWhatAnErrorCosts) {
   EXPECT_THAT(front_csv(scenes[0]), StartsWith("method,cpu_s,error_percent\r\nfem-full,0.1375,1"));
 }
 
-TEST_F(Prices, SlipsInPrices) {
+TEST_F(Prices, FaultsInPrices) {
   EXPECT_THAT(message("quantity = \"tip\"", "quantity = \"tpi\""), HasSubstr("did you mean \"tip\"?"));
   EXPECT_THAT(
       message("base = \"fem-full\"", "base = \"fem-fully\""), HasSubstr("did you mean \"fem-full\"?"));

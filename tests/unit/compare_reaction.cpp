@@ -5,44 +5,24 @@
 
 #include "compare/run/run.hpp"
 #include "model/scene/reader/reader.hpp"
+#include "tests/scene_text.hpp"
 
 namespace femsph::compare {
 namespace {
 
-Scene cantilever(const char* more) {
-  return parse_scene(std::string(R"(
-[model]
-plane = "stress"
-[materials.steel]
-law = "elastic"
-young = "210 GPa"
-poisson = 0.3
-density = "7850 kg/m^3"
-[bodies.beam]
-shape = "box"
-size = ["40 mm", "10 mm"]
-thickness = "10 mm"
-material = "steel"
-[[supports]]
-at = "x-"
-fix = ["x", "y"]
-)") + more + R"(
-[[loads]]
-at = "x+"
-force = ["300 N", "-100 N"]
-[settling]
-method = "damping"
-tolerance = 1e-7
-[time]
-duration = "100 ms"
-samples = 10
-)",
-                     "cantilever.toml");
+using namespace scene_text;
+
+/// A short cantilever under a force (300, -100) N at its end; `of_support`: further lines of its support.
+Scene reacting_beam(const std::string& of_support) {
+  return parse_scene(
+      clamped_beam("40 10 mm", "10 mm", "0.3", of_support) + load("x+", "300 -100 N") +
+          settling("damping", "tolerance = 1e-7\n") + scene_text::time("100 ms", "samples = 10\n"),
+      "cantilever.toml");
 }
 
 TEST(Reaction, OfASettledBodyItBalancesTheLoads) {
   for (const char* method : {"fem-full", "fem-one-point", "fem-assumed-strain", "sph-corrected"}) {
-    const RunResult r = run_scene(cantilever("name = \"root\"\n"), method_named(method), {0.0025, {}}, {});
+    const RunResult r = run_scene(reacting_beam(named("root")), method_named(method), {0.0025, {}}, {});
     ASSERT_TRUE(r.settled) << method;
     const auto last = [&](const char* column) { return r.history[column].values.back(); };
     EXPECT_NEAR(last("support_root_force_x"), -300, 1e-3) << method;
@@ -53,7 +33,7 @@ TEST(Reaction, OfASettledBodyItBalancesTheLoads) {
 }
 
 TEST(Reaction, IsThereOnlyIfAskedFor) {
-  const RunResult r = run_scene(cantilever(""), method_named("fem-full"), {0.005, {}}, {});
+  const RunResult r = run_scene(reacting_beam(""), method_named("fem-full"), {0.005, {}}, {});
   for (const Column& column : r.history.columns)
     EXPECT_EQ(column.name.find("support_"), std::string::npos) << column.name;
 }

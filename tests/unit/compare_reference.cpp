@@ -1,5 +1,5 @@
-// A reference that does not exist is not compared with: limits whose refinements do not converge, ladders
-// without an order of convergence, advice about a number that is infinite. Smooth ones keep their limit.
+// No error is given against a reference that does not exist: limits whose refinements do not converge,
+// ladders without an order of convergence, infinite values. Values that converge keep their limit.
 
 #include <gmock/gmock.h>
 
@@ -47,7 +47,7 @@ KnownLimit known(double coarse, double middle, double fine) {
   return {limit_of(fine), {}, {limit_of(coarse), limit_of(middle)}, 0.7};
 }
 
-TEST(Reference, ALimitIsDoubtedWhenItsRefinementsDoNotFall) {
+TEST(Reference, ALimitIsDoubtedWhenItsRefinementsDoNotConverge) {
   const Scene scene = corner_loaded();
   // A quarter of the change with each halving (order 2), and the change of a logarithm, the same each time.
   EXPECT_EQ(doubt_of(tip(), scene, known(-4.6e-3, -4.75e-3, -4.7875e-3)), "");
@@ -57,7 +57,7 @@ TEST(Reference, ALimitIsDoubtedWhenItsRefinementsDoNotFall) {
   // 1/h, as under a force on a point in space: the change doubles.
   EXPECT_THAT(doubt_of(tip(), scene, known(-1e-3, -2e-3, -4e-3)), HasSubstr("by 25 %, then by 50 %"));
   // The slowest that converges here, r^2 lambda with lambda = 0.758 of the clamped corner: 0.35 each time.
-  // And what no table shows: 1e-5.
+  // And changes of 1e-5, which no table shows.
   EXPECT_EQ(doubt_of(tip(), scene, known(-4.7e-3, -4.76e-3, -4.781e-3)), "");
   EXPECT_EQ(doubt_of(tip(), scene, known(-4.79e-3, -4.79002e-3, -4.79004e-3)), "");
   EXPECT_EQ(doubt_of(tip(), scene, KnownLimit{limit_of(-4.79e-3), {}, {}, 0}), "")
@@ -91,7 +91,7 @@ class ReferenceOfAStudy : public ::testing::Test {
  protected:
   Folder folder{"reference"};
   std::vector<std::string> lines;
-  double growth = 0.25;  ///< what each halving of the cells leaves of the change
+  double change_ratio = 0.25;  ///< ratio of one change to the one before, as the cells are halved
 
   StudyOutcome run(const std::string& limit, const std::string& probe_height = "50 mm") {
     std::string scene = cantilever_toml;
@@ -102,12 +102,7 @@ class ReferenceOfAStudy : public ::testing::Test {
 [[runs]]
 methods = ["fem-full"]
 spacing = ["40 mm", "20 mm", "10 mm"]
-[[quantities]]
-name = "tip"
-probe = "tip"
-component = "y"
-unit = "mm"
-)"));
+)" + tip_quantity("tip")));
     Engine engine;
     engine.run = [](const Scene&, const Method&, const Resolution& resolution, const RunOptions&) {
       return result(-0.005 * (1 + 0.01 * std::log(1 / resolution.spacing)), 1, resolution.spacing);
@@ -116,7 +111,7 @@ unit = "mm"
       const double halvings = std::log2(divisions[0] / 10.0);
       fem::StaticLimit limit;
       limit.probes["tip"] = {
-          0, -0.005 * (1 + 0.01 * (growth == 1 ? halvings : -std::pow(growth, halvings))), 0};
+          0, -0.005 * (1 + 0.01 * (change_ratio == 1 ? halvings : -std::pow(change_ratio, halvings))), 0};
       limit.sections["inner"] = {{0}, {0}, {0}};
       return limit;
     };
@@ -134,7 +129,7 @@ TEST_F(ReferenceOfAStudy, AConvergedLimitIsComparedWith) {
 }
 
 TEST_F(ReferenceOfAStudy, ALimitThatGrowsAsALogarithmIsNot) {
-  growth = 1;
+  change_ratio = 1;
   const auto outcome = run("[limit]\ndivisions = \"40x4\"\n");
   EXPECT_FALSE(outcome.rows[0].limit || outcome.rows[0].error_vs_limit_percent);
   EXPECT_TRUE(outcome.rows[0].value);
@@ -222,7 +217,7 @@ TEST_F(ReferenceOfAdvice, AnInfiniteNumberIsRefusedBeforeAnyRun) {
               AllOf(HasSubstr("none: a force on a point"), Not(HasSubstr("confidence"))));
 }
 
-TEST_F(ReferenceOfAdvice, APointSupportTakesTheConfidence) {
+TEST_F(ReferenceOfAdvice, APointSupportLowersTheConfidence) {
   scene.supports[0].place.sides = {"x-", "y-"};  // with the force down it bears a reaction
   const Advice advice = ask();
   ASSERT_TRUE(advice.best) << advice.refusal;

@@ -1,5 +1,5 @@
-// At rest means equilibrium, by either method of settling: the tolerance bounds what is missing of the
-// reaction and of the displacement.
+// Settled means in equilibrium, by either method of settling: the tolerance bounds the errors of the reaction
+// and of the displacement.
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -8,41 +8,22 @@
 
 #include "compare/run/run.hpp"
 #include "model/scene/reader/reader.hpp"
+#include "tests/scene_text.hpp"
 
 namespace femsph::compare {
 namespace {
 
 using testing::HasSubstr;
 
-/// The paper's cantilever, 1000 x 100 mm of steel, 1 kN down at its end.
-Scene cantilever(const std::string& settling, const char* duration = "200 ms", const char* history = "") {
-  return parse_scene(R"([model]
-plane = "stress"
-[materials.steel]
-law = "elastic"
-young = "210 GPa"
-poisson = 0.3
-density = "7850 kg/m^3"
-[bodies.beam]
-shape = "box"
-size = ["1000 mm", "100 mm"]
-thickness = "100 mm"
-material = "steel"
-[[supports]]
-at = "x-"
-fix = ["x", "y"]
-name = "root"
-[[loads]]
-at = "x+"
-force = ["0 N", "-1 kN"]
-)" + std::string(history) +
-                         R"([[probes]]
-name = "tip"
-quantity = "displacement"
-point = ["1000 mm", "50 mm"]
-[settling]
-)" + settling + "[time]\nduration = \"" +
-                         duration + "\"\nsamples = 10\n",
+using namespace scene_text;
+
+/// The paper's cantilever, 1000 x 100 mm of steel, 1 kN down at its end; `of_load`, `of_settling`: further
+/// lines of these tables.
+Scene settling_beam(const std::string& method, const std::string& of_settling = "",
+                    const std::string& duration = "200 ms", const std::string& of_load = "") {
+  return parse_scene(clamped_beam("1000 100 mm", "100 mm", "0.3", named("root")) +
+                         load("x+", "0 -1 kN", of_load) + probe("tip", "displacement", "1000 50 mm") +
+                         settling(method, of_settling) + scene_text::time(duration, "samples = 10\n"),
                      "settling.toml");
 }
 
@@ -50,15 +31,15 @@ double last(const RunResult& r, const char* column) { return r.history[column].v
 
 TEST(Settling, BothMethodsComeToTheSameRestInComparableTimes) {
   for (const char* method : {"fem-full", "fem-assumed-strain", "sph-corrected"}) {
-    const auto run = [&](const char* settling) {
-      return run_scene(cantilever(settling), method_named(method), {0.025, {}}, {});
+    const auto run = [&](const std::string& by, const std::string& more = "") {
+      return run_scene(settling_beam(by, more), method_named(method), {0.025, {}}, {});
     };
-    const RunResult exact = run("method = \"damping\"\ntolerance = 1e-8\n");
+    const RunResult exact = run("damping", "tolerance = 1e-8\n");
     ASSERT_TRUE(exact.settled) << method << testing::PrintToString(exact.warnings);
     double steps[2];
     int k = 0;
     for (const char* by : {"damping", "kinetic"}) {
-      const RunResult r = run(("method = \"" + std::string(by) + "\"\n").c_str());
+      const RunResult r = run(by);
       ASSERT_TRUE(r.settled) << method << by;
       EXPECT_NEAR(last(r, "support_root_force_y"), 1000, 1000 * 1e-4) << method << by;
       EXPECT_NEAR(last(r, "tip_y") / last(exact, "tip_y"), 1, 1e-4) << method << by;
@@ -70,9 +51,9 @@ TEST(Settling, BothMethodsComeToTheSameRestInComparableTimes) {
   }
 }
 
-// Strong damping creeps: hardly any kinetic energy, and far from the end.
+// With strong damping the body creeps: hardly any kinetic energy, but far from equilibrium.
 TEST(Settling, ABodyThatCreepsIsNotAtRest) {
-  const RunResult r = run_scene(cantilever("method = \"damping\"\nrate = \"400000 1/s\"\n", "20 ms"),
+  const RunResult r = run_scene(settling_beam("damping", "rate = \"400000 1/s\"\n", "20 ms"),
                                 method_named("fem-full"), {0.025, {}}, {});
   EXPECT_FALSE(r.settled);
   EXPECT_THAT(r.warnings, testing::Contains(testing::AllOf(
@@ -80,10 +61,10 @@ TEST(Settling, ABodyThatCreepsIsNotAtRest) {
                               HasSubstr("no static state"))));
 }
 
-// Nor is one whose load is still growing, however slowly it is followed.
+// A body whose load still grows has not settled, however slow its motion.
 TEST(Settling, ABodyIsNotAtRestBeforeItsLoadIs) {
   const RunResult r = run_scene(
-      cantilever("method = \"damping\"\ntolerance = 0.05\n", "60 ms", "history = {ramp = \"40 ms\"}\n"),
+      settling_beam("damping", "tolerance = 0.05\n", "60 ms", "history = {ramp = \"40 ms\"}\n"),
       method_named("fem-full"), {0.05, {}}, {});
   EXPECT_TRUE(r.settled);
   EXPECT_GE(r.history["time"].values.back(), 0.04 - 1e-9);

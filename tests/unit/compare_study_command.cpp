@@ -1,4 +1,4 @@
-// A study from its files to its results, with a solver put in its place.
+// A study from its files to its results, with a fake solver.
 
 #include <gmock/gmock.h>
 
@@ -13,18 +13,13 @@ using ::testing::HasSubstr;
 using ::testing::Not;
 using namespace testing;
 
-const char* const study_toml = R"(title = "A study"
+const std::string study_toml = R"(title = "A study"
 [[runs]]
 methods = ["fem-full"]
 spacing = ["20 mm", "10 mm"]
 quick = ["d=20mm"]
-[[quantities]]
-name = "tip"
-probe = "tip"
-component = "y"
-unit = "mm"
-theory = "cantilever_tip"
-[[series]]
+)" + tip_quantity("tip", cantilever_tip) +
+                               R"([[series]]
 file = "error.csv"
 kind = "error"
 quantity = "tip"
@@ -90,7 +85,7 @@ TEST_F(StudyCommandTest, AFailedRunIsAnExitCode) {
   EXPECT_THAT(folder.read("results/beam/table.csv"), HasSubstr("no luck"));
 }
 
-TEST_F(StudyCommandTest, FindsStudiesByNameAndHelpsWithSlips) {
+TEST_F(StudyCommandTest, FindsStudiesByNameAndSuggestsNames) {
   const std::string studies = folder / "studies";
   setenv("FEMSPH_STUDIES", studies.c_str(), 1);
   command.name = "beam";

@@ -1,4 +1,4 @@
-// Study files, good and bad: every slip is found, placed and explained.
+// Study files, valid and faulty: every fault is found and explained, with its place.
 
 #include <gmock/gmock.h>
 
@@ -11,6 +11,7 @@ namespace {
 using ::testing::AllOf;
 using ::testing::HasSubstr;
 using namespace testing;
+using scene_text::replaced;
 
 const std::string good = R"(title = "A study"
 [limit]
@@ -26,20 +27,9 @@ methods = ["sph-corrected"]
 spacing = ["20 mm", "2.5 mm"]
 options = {smoothing = 1.2, kernel = "wendland-c2"}
 safety = 0.5
-[[quantities]]
-name = "tip_displacement"
-probe = "tip"
-component = "y"
-unit = "mm"
-sign = "reversed"
-theory = "cantilever_tip"
-[[quantities]]
-name = "stress_l2"
-section = "inner"
-component = "xx"
-reduce = "l2"
-theory = "cantilever_stress"
-[[paper]]
+)" + tip_quantity("tip_displacement", reversed + cantilever_tip) +
+                         inner_quantity("stress_l2", "reduce = \"l2\"\ntheory = \"cantilever_stress\"\n") +
+                         R"([[paper]]
 cases = ["1_2"]
 quantity = "tip_displacement"
 value = "0.4765 cm"
@@ -79,11 +69,6 @@ class StudyReader : public ::testing::Test {
     }
     return "";
   }
-  static std::string with(std::string text, const std::string& old, const std::string& instead) {
-    const auto at = text.find(old);
-    EXPECT_NE(at, std::string::npos) << old;
-    return text.replace(at, old.size(), instead);
-  }
 };
 
 TEST_F(StudyReader, ReadsAGoodFile) {
@@ -110,9 +95,9 @@ TEST_F(StudyReader, ReadsAGoodFile) {
 }
 
 TEST_F(StudyReader, FindsAllFaultsAtOnceWithTheirPlaces) {
-  std::string text = with(good, "\"fem-sri\"", "\"fem-sir\"");
-  text = with(text, "safety = 0.5", "saftey = 0.5");
-  text = with(text, "theory = \"cantilever_tip\"", "theory = \"cantilver_tip\"");
+  std::string text = replaced(good, "\"fem-sri\"", "\"fem-sir\"");
+  text = replaced(text, "safety = 0.5", "saftey = 0.5");
+  text = replaced(text, "theory = \"cantilever_tip\"", "theory = \"cantilver_tip\"");
   EXPECT_THAT(
       message(text),
       AllOf(HasSubstr("study.toml:7:11: "), HasSubstr("did you mean \"fem-sri\"?"),
@@ -120,66 +105,67 @@ TEST_F(StudyReader, FindsAllFaultsAtOnceWithTheirPlaces) {
             HasSubstr("study.toml:21:10: "), HasSubstr("did you mean \"cantilever_tip\"?")));
 }
 
-TEST_F(StudyReader, SlipsInRuns) {
-  EXPECT_THAT(message(with(good, "\"40x4\"]", "\"40*4\"]")),
+TEST_F(StudyReader, FaultsInRuns) {
+  EXPECT_THAT(message(replaced(good, "\"40x4\"]", "\"40*4\"]")),
               HasSubstr("\"40*4\" in \"divisions\"; expected 2 whole numbers"));
-  EXPECT_THAT(message(with(good, "\"40x4\"]", "\"40x4x2\"]")), HasSubstr("expected 2 whole numbers"));
-  EXPECT_THAT(message(with(good, "cases = [\"1_1\", \"1_2\"]", "cases = [\"1_1\"]")),
+  EXPECT_THAT(message(replaced(good, "\"40x4\"]", "\"40x4x2\"]")), HasSubstr("expected 2 whole numbers"));
+  EXPECT_THAT(message(replaced(good, "cases = [\"1_1\", \"1_2\"]", "cases = [\"1_1\"]")),
               HasSubstr("1 cases for 2 resolutions"));
   EXPECT_THAT(
-      message(with(good, "quick = [\"1_1\"]", "quick = [\"1_11\"]")), HasSubstr("did you mean \"1_1\"?"));
+      message(replaced(good, "quick = [\"1_1\"]", "quick = [\"1_11\"]")), HasSubstr("did you mean \"1_1\"?"));
   EXPECT_THAT(
-      message(with(good, "smoothing = 1.2", "smothing = 1.2")), HasSubstr("did you mean \"smoothing\"?"));
-  EXPECT_THAT(message(with(good, "smoothing = 1.2", "smoothing = 0")),
+      message(replaced(good, "smoothing = 1.2", "smothing = 1.2")), HasSubstr("did you mean \"smoothing\"?"));
+  EXPECT_THAT(message(replaced(good, "smoothing = 1.2", "smoothing = 0")),
               HasSubstr("\"smoothing\" is 0; expected a number from 0.6 to 4"));
-  EXPECT_THAT(message(with(good, "safety = 0.5", "safety = 2.5")),
+  EXPECT_THAT(message(replaced(good, "safety = 0.5", "safety = 2.5")),
               HasSubstr("\"safety\" is 2.5; expected a number above 0, up to 2"));
-  EXPECT_THAT(message(with(good, "quick = [\"1_1\"]", "spacing = [\"1 mm\"]")),
+  EXPECT_THAT(message(replaced(good, "quick = [\"1_1\"]", "spacing = [\"1 mm\"]")),
               HasSubstr("expected either \"spacing\""));
-  EXPECT_THAT(message(with(good, "quick = [\"1_1\"]", "scene = \"none.toml\"")),
+  EXPECT_THAT(message(replaced(good, "quick = [\"1_1\"]", "scene = \"none.toml\"")),
               HasSubstr("the scene \"none.toml\" cannot be used"));
 }
 
-TEST_F(StudyReader, SlipsInQuantitiesAndSeries) {
-  EXPECT_THAT(message(with(good, "probe = \"tip\"", "probe = \"tpi\"")),
+TEST_F(StudyReader, FaultsInQuantitiesAndSeries) {
+  EXPECT_THAT(message(replaced(good, "probe = \"tip\"", "probe = \"tpi\"")),
               HasSubstr("study.toml:17:9: no probe is called \"tpi\" in scene.toml"));
-  EXPECT_THAT(
-      message(with(good, "component = \"y\"", "component = \"yy\"")), HasSubstr("expected \"x\" or \"y\""));
-  EXPECT_THAT(message(with(good, "unit = \"mm\"", "unit = \"MPa\"")),
+  EXPECT_THAT(message(replaced(good, "component = \"y\"", "component = \"yy\"")),
+              HasSubstr("expected \"x\" or \"y\""));
+  EXPECT_THAT(message(replaced(good, "unit = \"mm\"", "unit = \"MPa\"")),
               HasSubstr("expected a unit of the same kind as \"m\""));
   EXPECT_THAT(
-      message(with(good, "reduce = \"l2\"", "reduce = \"max\"")), HasSubstr("\"reduce\" does not fit"));
-  EXPECT_THAT(message(with(good, "theory = \"cantilever_tip\"", "theory = \"bar_stress\"")),
+      message(replaced(good, "reduce = \"l2\"", "reduce = \"max\"")), HasSubstr("\"reduce\" does not fit"));
+  EXPECT_THAT(message(replaced(good, "theory = \"cantilever_tip\"", "theory = \"bar_stress\"")),
               HasSubstr("bar theory needs"));
-  EXPECT_THAT(message(with(good, "theory = \"cantilever_tip\"", "theory = \"cantilever_tip_history\"")),
+  EXPECT_THAT(message(replaced(good, "theory = \"cantilever_tip\"", "theory = \"cantilever_tip_history\"")),
               HasSubstr("depends on time"));
-  EXPECT_THAT(message(with(good, "file = \"tip.csv\"", "file = \"../tip.csv\"")),
+  EXPECT_THAT(message(replaced(good, "file = \"tip.csv\"", "file = \"../tip.csv\"")),
               HasSubstr("\"file\" is \"../tip.csv\""));
-  EXPECT_THAT(
-      message(with(good, "kind = \"history\"", "kind = \"profile\"")), HasSubstr("\"kind\" does not fit"));
+  EXPECT_THAT(message(replaced(good, "kind = \"history\"", "kind = \"profile\"")),
+              HasSubstr("\"kind\" does not fit"));
 }
 
 TEST_F(StudyReader, AnOffsetHasTheUnitOfTheTable) {
-  const auto moved = [&](const std::string& key) { return with(good, "sign = \"reversed\"", key); };
+  const auto moved = [&](const std::string& key) { return replaced(good, "sign = \"reversed\"", key); };
   EXPECT_THAT(message(moved("offset = \"1 MPa\"")), HasSubstr("\"offset\": "));
   EXPECT_THAT(message(moved("offset = \"1 cm\"")),
               HasSubstr("\"offset\" moves the value away from theory and limit"));
-  std::string text = with(moved("offset = \"1 cm\""), "theory = \"cantilever_tip\"\n[[quantities]]",
-                          "reference = \"7 mm\"\n[[quantities]]");
-  text = with(text, "[limit]\ndivisions = \"40x4\"\ndegree = 2\n", "");
+  std::string text = replaced(moved("offset = \"1 cm\""), "theory = \"cantilever_tip\"\n[[quantities]]",
+                              "reference = \"7 mm\"\n[[quantities]]");
+  text = replaced(text, "[limit]\ndivisions = \"40x4\"\ndegree = 2\n", "");
   EXPECT_DOUBLE_EQ(read(text).quantities[0].offset, 10);  // mm
 }
 
 // A filter that no planned run fits is found before the runs, even if each of its words exists.
-TEST_F(StudyReader, SlipsInPaperAndClaims) {
+TEST_F(StudyReader, FaultsInPaperAndClaims) {
   EXPECT_THAT(
-      message(with(good, "value = \"0.4765 cm\"", "value = \"0.4765 MPa\"")), HasSubstr("\"value\": "));
-  EXPECT_THAT(message(with(good, "method = \"fem-full\", quantity", "method = \"sph-corrected\", quantity")),
-              HasSubstr("no run has the method"));
-  EXPECT_THAT(message(with(good, "method = \"fem-full\", quantity",
-                           "method = \"sph-corrected smoothing=1.2 kernel=wendland-c2\", quantity")),
+      message(replaced(good, "value = \"0.4765 cm\"", "value = \"0.4765 MPa\"")), HasSubstr("\"value\": "));
+  EXPECT_THAT(
+      message(replaced(good, "method = \"fem-full\", quantity", "method = \"sph-corrected\", quantity")),
+      HasSubstr("no run has the method"));
+  EXPECT_THAT(message(replaced(good, "method = \"fem-full\", quantity",
+                               "method = \"sph-corrected smoothing=1.2 kernel=wendland-c2\", quantity")),
               HasSubstr("no run of the study gives 1_1 sph-corrected"));
-  EXPECT_THAT(message(with(good, "bound = 10", "bond = 10")),
+  EXPECT_THAT(message(replaced(good, "bound = 10", "bond = 10")),
               AllOf(HasSubstr("missing \"bound\""), HasSubstr("did you mean \"bound\"?")));
 }
 
@@ -204,11 +190,11 @@ TEST_F(StudyReader, AdviceWithoutAScene) {
   EXPECT_THAT(message(text), HasSubstr("the study runs nothing"));
 }
 
-TEST_F(StudyReader, AStudyOfNothingIsNone) {
+TEST_F(StudyReader, AnEmptyStudyIsRefused) {
   EXPECT_THAT(message("title = \"x\"\n"), HasSubstr("the study runs nothing"));
 }
 
-// The studies of this repository can be read, and their theory can speak of their scenes.
+// The studies of this repository can be read, and their theories fit their scenes.
 TEST(Studies, AreAllReadable) {
   for (const std::string name : {"uniaxial", "boundary", "fem-mesh", "spacing", "depth", "return-mapping",
                                  "two-blocks", "rc-beam", "plastic-beam", "cost", "paper"}) {

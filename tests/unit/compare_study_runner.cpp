@@ -1,4 +1,4 @@
-// Runs of a study with solvers put in its place, the numbers taken from them, and the data behind figures.
+// Runs of a study with fake solvers, the numbers taken from them, and the data behind figures.
 
 #include <gmock/gmock.h>
 
@@ -16,40 +16,18 @@ using ::testing::HasSubstr;
 using ::testing::StartsWith;
 using namespace testing;
 
-const char* const study_toml = R"(title = "A study"
+const std::string study_toml =
+    R"(title = "A study"
 [limit]
 divisions = "40x4"
 [[runs]]
 methods = ["fem-full", "sph-corrected"]
 spacing = ["20 mm", "10 mm"]
 quick = ["d=20mm"]
-[[quantities]]
-name = "tip_displacement"
-probe = "tip"
-component = "y"
-unit = "mm"
-sign = "reversed"
-theory = "cantilever_tip"
-[[quantities]]
-name = "tip_peak"
-probe = "tip"
-component = "y"
-unit = "mm"
-reduce = "peak"
-[[quantities]]
-name = "fibre"
-section = "inner"
-component = "xx"
-unit = "MPa"
-reduce = "fibre_upper"
-theory = "cantilever_stress"
-[[quantities]]
-name = "stress_l2"
-section = "inner"
-component = "xx"
-reduce = "l2"
-theory = "cantilever_stress"
-[[paper]]
+)" + tip_quantity("tip_displacement", reversed + cantilever_tip) +
+    tip_quantity("tip_peak", "reduce = \"peak\"\n") +
+    inner_quantity("fibre", "unit = \"MPa\"\nreduce = \"fibre_upper\"\ntheory = \"cantilever_stress\"\n") +
+    inner_quantity("stress_l2", "reduce = \"l2\"\ntheory = \"cantilever_stress\"\n") + R"([[paper]]
 cases = ["d=20mm"]
 method = "fem-full"
 quantity = "tip_displacement"

@@ -1,5 +1,6 @@
-// What a study asks that no run of it can answer is said when it is read: windows beyond the run, theories in
-// another unit, two numbers of one name, bounds of no row; and a claim without its rows is not answered.
+// What no run of a study can give is refused when the study is read: windows beyond the run, theories in
+// another unit, two numbers of one name, bounds of no row; and a claim whose rows are missing stays
+// undecided.
 
 #include <gmock/gmock.h>
 
@@ -31,9 +32,7 @@ class StudySweep : public ::testing::Test {
     }
     return "";
   }
-  static std::string tip(const std::string& more) {
-    return "[[quantities]]\nname = \"tip\"\nprobe = \"tip\"\ncomponent = \"y\"\nunit = \"mm\"\n" + more;
-  }
+  static std::string tip(const std::string& more) { return tip_quantity("tip", more); }
   static std::string inner(const std::string& more) {
     return "[[quantities]]\nname = \"inner\"\nsection = \"inner\"\n" + more;
   }
@@ -130,7 +129,7 @@ TEST(OrderSweep, RowsWithoutANumberOrNotSettledTakeNoPart) {
   EXPECT_NEAR(*orders_of(rows)[0].observed, 1, 1e-9);
   rows.back().settled.reset(), rows.back().error_percent = std::nan("");
   EXPECT_NEAR(*orders_of(rows)[0].observed, 1, 1e-9);
-  // Values that grow as a logarithm are extrapolated to nothing.
+  // Values that grow as a logarithm are not extrapolated.
   rows.pop_back();
   for (Row& r : rows) r.value = 100 - 3.001 * std::log2(*r.spacing_mm);
   EXPECT_FALSE(orders_of(rows)[0].extrapolated);

@@ -11,6 +11,7 @@
 
 #include "compare/run/run.hpp"
 #include "model/scene/shapes/box.hpp"
+#include "tests/scene_text.hpp"
 
 namespace femsph::compare::testing {
 
@@ -80,38 +81,22 @@ inline RunResult result(double tip, double fibre, double spacing) {
 }
 
 /// The scene file of the cantilever, with a probe "tip" and a section "inner".
-inline const char* const cantilever_toml = R"(
-[model]
-plane = "stress"
-[materials.steel]
-law = "elastic"
-young = "210 GPa"
-poisson = 0.3
-density = "7850 kg/m^3"
-[bodies.beam]
-shape = "box"
-size = ["1000 mm", "100 mm"]
-thickness = "100 mm"
-material = "steel"
-[[supports]]
-at = "x-"
-fix = ["x", "y"]
-[[loads]]
-at = "x+ y+"
-force = ["0 kN", "-25 kN"]
-[[probes]]
-name = "tip"
-quantity = "displacement"
-point = ["1000 mm", "50 mm"]
-[[sections]]
-name = "inner"
-quantity = "stress"
-from = ["100 mm", "0 mm"]
-to = ["100 mm", "100 mm"]
-[settling]
-method = "damping"
-[time]
-duration = "50 ms"
-)";
+inline const std::string cantilever_toml =
+    scene_text::clamped_beam("1000 100 mm", "100 mm") + scene_text::load("x+ y+", "0 -25 kN") +
+    scene_text::probe("tip", "displacement", "1000 50 mm") +
+    scene_text::section("inner", "stress", "100 0 mm", "100 100 mm") + scene_text::settling("damping") +
+    scene_text::time("50 ms");
+
+/// A [[quantities]] table of a study that reads probe "tip", in mm.
+inline std::string tip_quantity(const std::string& name, const std::string& more = "") {
+  return fmt::format(
+      "[[quantities]]\nname = \"{}\"\nprobe = \"tip\"\ncomponent = \"y\"\nunit = \"mm\"\n{}", name, more);
+}
+inline const std::string cantilever_tip = "theory = \"cantilever_tip\"\n", reversed = "sign = \"reversed\"\n";
+/// A [[quantities]] table that reads stress xx in section "inner".
+inline std::string inner_quantity(const std::string& name, const std::string& more) {
+  return fmt::format(
+      "[[quantities]]\nname = \"{}\"\nsection = \"inner\"\ncomponent = \"xx\"\n{}", name, more);
+}
 
 }  // namespace femsph::compare::testing

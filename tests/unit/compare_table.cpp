@@ -1,4 +1,4 @@
-// Rows, orders and what is written of them.
+// Rows, orders of convergence, and the tables that are written.
 
 #include <gmock/gmock.h>
 
@@ -14,7 +14,7 @@ using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 using ::testing::Not;
 
-// RFC 4180: the reader that a spreadsheet is.
+// A reader of CSV by RFC 4180, as spreadsheets have.
 std::vector<std::vector<std::string>> read_csv(const std::string& text) {
   std::vector<std::vector<std::string>> lines(1, {""});
   bool quoted = false;
@@ -104,7 +104,7 @@ TEST(Table, MarkdownIsRoundedAndSaysWhatFailed) {
   EXPECT_THAT(text, HasSubstr("4.765"));
   EXPECT_THAT(text, HasSubstr("a\\|b"));
   EXPECT_THAT(text, HasSubstr("- s c b: the step was too long"));
-  EXPECT_THAT(text, Not(HasSubstr("paper")));  // no column for what nobody knows
+  EXPECT_THAT(text, Not(HasSubstr("paper")));  // no column without a value
 }
 
 TEST(Table, Rounding) {

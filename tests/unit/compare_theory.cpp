@@ -102,7 +102,7 @@ TEST(Theory, OriginMovesWithTheBody) {
   EXPECT_NEAR(value("cantilever_stress", scene, {1, 0.05, 0}), 150e6, 1);
 }
 
-TEST(Theory, RefusesWhatItCannotSpeakOf) {
+TEST(Theory, RefusesOtherScenes) {
   EXPECT_THAT(message_of([] { value("bar_stress", cantilever()); }), HasSubstr("not along x"));
   EXPECT_THAT(message_of([] { value("cantilever_tip", bar()); }), HasSubstr("not along y"));
   Scene scene = cantilever();
@@ -123,7 +123,7 @@ TEST(Theory, RefusesWhatItCannotSpeakOf) {
   EXPECT_THAT(message_of([&] { value("cantilever_tip", scene); }), HasSubstr("gravity"));
 }
 
-TEST(Theory, LookupHelpsWithSlips) {
+TEST(Theory, LookupSuggestsNames) {
   EXPECT_THAT(
       message_of([] { theory_named("cantilever_tipp"); }), HasSubstr("did you mean \"cantilever_tip\"?"));
 }

@@ -1,10 +1,10 @@
-// What the adjoint form promises, for every element on distorted cells under a random displacement:
-//   energy            force = -dE/du, E the stored plus the hourglass energy; in small strain also f = -K u,
-//   E = 1/2 u K u, K symmetric momentum          sum f = 0 and sum x cross f = 0, x the current place (the
-//   undeformed one in small strain, where only
-//                     infinitesimal rotations are rigid)
-//   objectivity       x -> R x turns the forces with it and leaves the energy alone; a rigid rotation by 90
-//   degrees gives no force.
+// What follows from the adjoint form, for every element, on distorted cells under a random displacement:
+//   energy       force = -dE/du, with E the stored and the hourglass energy; in small strain f = -K u,
+//                E = 1/2 u K u, K symmetric
+//   momentum     sum f = 0 and sum x cross f = 0, with x the current position (in small strain, where only
+//                infinitesimal rotations are rigid, the initial one)
+//   objectivity  x -> R x turns the forces and keeps the energy; a rigid rotation by 90 degrees gives no
+//   force
 
 #include <gtest/gtest.h>
 
@@ -94,8 +94,7 @@ TEST_P(Balance, LargeMotionForceIsMinusTheGradientOfTheEnergy) {
 }
 
 // Plastic flow leaves a stress that is not coaxial with the stretch: the forces keep momentum and angular
-// momentum all the same, and turn with the body: a turn by 97 degrees leaves the co-rotated state what it
-// was.
+// momentum all the same, and turn with the body: a turn by 97 degrees keeps the co-rotated state.
 TEST_P(Balance, PlasticForcesKeepMomentumAndTurn) {
   const auto d = make(true, Of::plastic);
   std::vector<double> u, f;

@@ -45,7 +45,7 @@ TEST(FemCantilever, AssumedStrainsAreWithinOnePercentOnEveryMesh) {
   }
 }
 
-TEST(FemCantilever, ReducedShearTakesTheLockingOut) {
+TEST(FemCantilever, ReducedShearRemovesLocking) {
   // Bending strains still miss the lateral contraction (nu^2 ~ 9 % of the stiffness shared over a linear
   // cell): 3 % on 20 x 2.
   EXPECT_NEAR(tip(Element::sri, {20, 2, 0}) / limit, 1, 0.03);
@@ -68,7 +68,7 @@ TEST(FemCantilever, StaticLimitIsClampedElasticity) {
   EXPECT_NEAR(fem::static_limit(spread, {100, 10, 0}, 4).probes.at("tip")[1], -4.7905e-3, 5e-5 * limit);
 }
 
-TEST(FemCantilever, StaticLimitSeesTheBendingStress) {
+TEST(FemCantilever, StaticLimitHasTheBendingStress) {
   // Mid-span, far from both ends: sigma = M y / I with M = P L / 2, y = 25 mm: 25e3 * 0.5 * 0.025 / (0.1^4 /
   // 12) = 37.5 MPa; strain = sigma / E.
   Scene scene = cantilever();
@@ -83,7 +83,7 @@ TEST(FemCantilever, StaticLimitSeesTheBendingStress) {
 }
 
 TEST(FemCantilever, StaticLimitOfDegreeOneIsTheFullElement) {
-  // Same space, same quadrature: the two programs must agree, in 3D on a load along an edge, a face and a
+  // Same space, same quadrature: the two codes must agree, in 3D on a load along an edge, a face and a
   // corner as well.
   Scene scene = box_scene(Plane::none, {0.4, 0.1, 0.12}, 210e9, 0.3);
   scene.supports.push_back({Place{0, {"x-"}, {}, {}}, {true, true, true}});
@@ -120,7 +120,7 @@ TEST(FemBending3D, AssumedStrainBendsAndTwistsLikeTheLimit) {
     for (const double ratio : tips(element, {20, 2, 2})) EXPECT_NEAR(ratio, 1, 0.01);
     for (const double ratio : tips(element, {10, 1, 1})) EXPECT_NEAR(ratio, 1, 0.02);
   }
-  EXPECT_LT(tips(Element::full, {10, 1, 1})[0], 0.75);  // what locking costs
+  EXPECT_LT(tips(Element::full, {10, 1, 1})[0], 0.75);  // the effect of locking
 }
 
 }  // namespace

@@ -1,7 +1,7 @@
-// Cells of a mesh file: they keep the file's numbers through every reordering, and one whose Jacobian is
-// negative at a corner and positive at the Gauss points serves all elements. The mesh is the seven bricks in
-// a unit cube of R. H. MacNeal and R. L. Harder, Finite Elem. Anal. Des. 1 (1985) 3: with their coordinates,
-// brick 4 has J = -0.013 at a corner.
+// Cells of a mesh file: they keep the numbers of the file through every reordering, and a cell whose Jacobian
+// is negative at a corner but positive at the Gauss points works with all elements. The mesh is the seven
+// bricks in a unit cube of R. H. MacNeal and R. L. Harder, Finite Elem. Anal. Des. 1 (1985) 3: with their
+// coordinates, brick 4 has J = -0.013 at a corner.
 
 #include <gtest/gtest.h>
 
@@ -53,7 +53,7 @@ TEST(FileCells, KeepTheirNumbers) {
 TEST(FileCells, AreNamedByTheirNumbers) {
   const Scene scene = scene_of(std::make_shared<MeshShape>(seven_bricks(), "bricks"), Plane::none, 1e9, 0.25);
   const auto fem = fem::discretize(scene, 0, {});
-  // The inner brick shrinks to less than nothing; those around it grow.
+  // The inner brick is turned inside out; those around it grow.
   const auto u = field(*fem, [](const Point& x) {
     const bool inner = x[0] > 0 && x[0] < 1;
     return inner ? Point{2 * (0.5 - x[0]), 2 * (0.5 - x[1]), 2 * (0.5 - x[2])} : Point{};
@@ -63,7 +63,7 @@ TEST(FileCells, AreNamedByTheirNumbers) {
   EXPECT_EQ(trouble->what.substr(0, trouble->what.find(" has turned")), "cell 101");
 }
 
-TEST(FileCells, OneThatIsNotConvexServesEveryElement) {
+TEST(FileCells, OneThatIsNotConvexWorksInEveryElement) {
   const CellMesh bricks = seven_bricks();
   EXPECT_EQ(cells_with_bad_corners(bricks), (std::vector<int>{3}));
   const Scene scene = scene_of(std::make_shared<MeshShape>(bricks, "bricks"), Plane::none, 1e9, 0.25);
@@ -84,11 +84,11 @@ TEST(FileCells, OneThatIsNotConvexServesEveryElement) {
         for (int j = 0; j < 3; ++j) v[i] += H[i][j] * x[j];
       return v;
     });
-    for (const auto& e : state_of(*fem, u).strain) {  // patch test: the gradient is seen everywhere
+    for (const auto& e : state_of(*fem, u).strain) {  // patch test: the gradient is exact everywhere
       EXPECT_NEAR(e[0], H[0][0], 1e-14);
       EXPECT_NEAR(e[3], 0.5 * (H[0][1] + H[1][0]), 1e-14);
     }
-    const auto f = force(*fem, u);  // and constant stress leaves inner nodes alone
+    const auto f = force(*fem, u);  // and constant stress gives no force on inner nodes
     for (std::size_t i = 0; i < fem->layout().points; ++i)
       if (const Point x = fem->position(i); x[0] > 0 && x[0] < 1)
         for (int c = 0; c < 3; ++c) EXPECT_NEAR(f[fem->layout().at(i, c)], 0, 1e-10 * largest(f));

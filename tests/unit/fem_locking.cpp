@@ -50,7 +50,7 @@ TEST(FemCook, FullElementInPlaneStress) {
 }
 
 TEST(FemCook, AssumedStrainsConvergeFromCoarseMeshes) {
-  // The cells are skew here, which no four-node element takes without loss: half of the full element's 10 %
+  // The cells are skew here, where four-node elements lose accuracy: half of the full element's 10 %
   // at n = 8.
   for (const Element element : {Element::assumed_strain, Element::one_point}) {
     EXPECT_NEAR(cook(element, 8, Plane::stress, 1, 1.0 / 3, 1) / 25.18, 1, 0.05);
@@ -69,7 +69,7 @@ TEST(FemCook, NearlyIncompressibleLocksFullIntegrationAndReducedShear) {
   }
 }
 
-TEST(FemAxes, AnElementInItsOwnAxesDoesNotSeeHowTheBodyLies) {
+TEST(FemAxes, ElementsDoNotDependOnTheOrientationOfTheBody) {
   // The cantilever turned by 30 degrees, load and tip with it: the deflection is the same. (Cells in line
   // with its axes, so that clamp and load sit on named places: the clamp is given node by node.)
   const double c = std::cos(M_PI / 6), s = std::sin(M_PI / 6);

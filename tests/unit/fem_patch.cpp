@@ -1,7 +1,7 @@
-// Patch test (Irons): under a linear displacement field every material point must see exactly its gradient,
-// and with the constant stress that follows the forces on every inner node must cancel, on cells of any
-// shape. Forces are measured against the largest nodal force, which sits on the boundary and balances the
-// traction. Cells are distorted by up to 20 % of their edges.
+// Patch test (Irons): under a linear displacement field the strain at every material point must be exactly
+// its gradient, and with the constant stress that follows the forces on every inner node must cancel, on
+// cells of any shape. Forces are measured against the largest nodal force, which sits on the boundary and
+// balances the traction. Cells are distorted by up to 20 % of their edges.
 
 #include <gtest/gtest.h>
 
@@ -57,7 +57,7 @@ class Patch : public testing::TestWithParam<Case> {
 class SmallPatch : public Patch {};
 class LargePatch : public Patch {};
 
-TEST_P(SmallPatch, GradientIsSeenExactly) {
+TEST_P(SmallPatch, GradientIsExact) {
   const std::array<Point, 3> H{Point{2e-3, 1e-3, -3e-3}, Point{-4e-3, 5e-3, 2e-3}, Point{1e-3, 6e-3, -2e-3}};
   const auto u = linear(H);
   const MaterialState state = state_of(*fem_, u);

@@ -1,5 +1,5 @@
 // The physical stabilization of the one-point cell (fem/elements/one_point.hpp): where it equals other
-// elements, where it is exact, that it leaves no mode free, and how a bent cell yields.
+// elements, where it is exact, that no mode is free, and how a bent cell yields.
 
 #include <gtest/gtest.h>
 
@@ -87,7 +87,8 @@ TEST(FemStabilization, ABoxTwistsAndBendsToBothSidesExactly) {
   const auto twisted = field(*d, [&](const Point& x) {
     return Point{-k * x[1] * x[2], -k * x[0] * x[2], k * x[0] * x[1]};
   });
-  // The cell's own mode: u = -k y z, v = -k x z, w = k x y. Shears 2 e_xy = -2 k z; the two others vanish.
+  // The hourglass mode that only hexahedra have: u = -k y z, v = -k x z, w = k x y. Shears 2 e_xy = -2 k z;
+  // the two others vanish.
   EXPECT_NEAR(energy(*d, twisted) / (0.5 * mu * 4 * k * k * h * h / 3 * volume), 1, 1e-12);
 }
 
@@ -270,7 +271,7 @@ TEST(FemStabilization, AThinRingOfOneOrTwoCellsBends) {
   EXPECT_NEAR(ring(Element::one_point, 32, 1, false) / exact, 1, 0.005);
   EXPECT_NEAR(ring(Element::one_point, 64, 2, false) / exact, 1, 0.005);
   EXPECT_NEAR(ring(Element::one_point, 32, 1, true) / exact, 1, 0.005);
-  EXPECT_GT(ring(Element::one_point, 32, 1, false, 0.05) / exact, 2);  // what the coefficient makes of it
+  EXPECT_GT(ring(Element::one_point, 32, 1, false, 0.05) / exact, 2);  // with control by a coefficient
   EXPECT_LT(ring(Element::full, 32, 1, false) / exact, 0.9);
 }
 

@@ -11,7 +11,7 @@
 namespace femsph::test {
 namespace {
 
-/// Linear elasticity that remembers its stress, and counts its steps in one value of history.
+/// Linear elasticity in rate form: it stores its stress, and counts its steps in one value of history.
 struct Incremental {
   LinearElastic law;
   const LinearElastic& elastic() const { return law; }
@@ -73,7 +73,7 @@ void follow() {
       EXPECT_NEAR(found[i].stress[0], expected[i].stress[0], 1e-13);
     }
   }
-  EXPECT_GT(stepped.bytes(), total.bytes());  // only a law with history pays for it
+  EXPECT_GT(stepped.bytes(), total.bytes());  // memory for the history
 }
 
 template <class ElementType>

@@ -1,5 +1,5 @@
 #pragma once
-// Scenes and a static solver for the tests of the FEM room.
+// Scenes and a static solver for the tests of fem/.
 
 #include <cmath>
 #include <functional>
@@ -11,6 +11,7 @@
 
 #include "fem/fem.hpp"
 #include "model/scene/shapes/box.hpp"
+#include "state_of.hpp"
 
 namespace femsph::test {
 
@@ -89,16 +90,6 @@ inline double largest(const std::vector<double>& a) {
   double m = 0;
   for (const double x : a) m = std::max(m, std::abs(x));
   return m;
-}
-
-/// Stress and strain of all material points.
-template <class Vector>
-MaterialState state_of(const Discretization& d, const Vector& u) {
-  std::vector<std::size_t> all(d.material_points());
-  for (std::size_t i = 0; i < all.size(); ++i) all[i] = i;
-  MaterialState state;
-  d.material_state(u.data(), all, state);
-  return state;
 }
 
 inline double value_at(const Discretization& d, const std::vector<double>& u, const Point& p, int component) {

@@ -7,6 +7,7 @@
 #include "model/motion/bodies/bars.hpp"
 #include "model/motion/effects/catalogue.hpp"
 #include "model/scene/reader/reader.hpp"
+#include "tests/scene_text.hpp"
 
 namespace femsph {
 namespace {
@@ -45,21 +46,11 @@ TEST(BarLaw, ElasticWithoutYieldAndPerfectWithoutHardening) {
   EXPECT_NEAR(BarLaw::make(200e9, 7850, Plastic::bar(plastic)).advance(0.02, p), 400e6, 1);
 }
 
-const char* const beam = R"(
-title = "half beam"
-[model]
-plane = "stress"
-[materials.concrete]
-law = "elastic"
-young = "25 GPa"
-poisson = 0.2
-density = "2400 kg/m^3"
-[bodies.beam]
-shape = "box"
-size = ["1000 mm", "250 mm"]
-thickness = "150 mm"
-material = "concrete"
-[[symmetry]]
+using namespace scene_text;
+
+const std::string beam = "title = \"half beam\"\n" + model("stress") +
+                         material("concrete", "elastic", "25 GPa", "0.2", "2400 kg/m^3") +
+                         box("beam", "1000 250 mm", thick("150 mm"), "concrete") + R"([[symmetry]]
 at = "x-"
 [[supports]]
 at = "y-"
@@ -71,9 +62,7 @@ from = ["0 mm", "42 mm"]
 to = ["1000 mm", "42 mm"]
 area = "253.4 mm^2"
 material = "concrete"
-[time]
-duration = "1 ms"
-)";
+)" + scene_text::time("1 ms");
 
 TEST(SceneParts, AreRead) {
   const Scene s = parse_scene(beam, "beam.toml");
@@ -90,10 +79,7 @@ TEST(SceneParts, AreRead) {
   EXPECT_THAT(effects_on(s), testing::ElementsAre("supports", "symmetry", "bars"));
 }
 
-std::string with(std::string from, const std::string& to) {
-  std::string text = beam;
-  return text.replace(text.find(from), from.size(), to);
-}
+std::string with(const std::string& old, const std::string& instead) { return replaced(beam, old, instead); }
 
 void expect_fault(const std::string& text, const char* message) {
   EXPECT_THAT([&] { parse_scene(text, "beam.toml"); },

@@ -1,5 +1,5 @@
-// The catalogues of laws and shapes: their words are the reader's, and what an entry says is what its law or
-// shape does.
+// The catalogues of laws and shapes: the reader takes their words, and an entry states what its law or shape
+// does.
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -7,48 +7,25 @@
 #include <set>
 
 #include "model/material/material.hpp"
-#include "model/scene/reader/reader.hpp"
 #include "model/scene/shapes/shapes.hpp"
+#include "model_faults.hpp"
+#include "tests/scene_text.hpp"
 
 namespace femsph {
 namespace {
 
 using testing::HasSubstr;
 
-std::string scene_text(const std::string& law, const std::string& weight, const std::string& more = "") {
-  return R"([model]
-plane = "strain"
-motion = "large"
-[materials.m]
-law = )" +
-         law +
-         R"(
-young = "210 GPa"
-poisson = 0.3
-density = "7850 kg/m^3"
-[bodies.weight]
-rigid = true
-mass = "1 kg"
-)" + weight +
-         R"([bodies.beam]
-shape = "box"
-size = ["1 m", "100 mm"]
-thickness = "100 mm"
-material = "m"
-[time]
-duration = "1 ms"
-)" + more;
+std::string weight_and_beam(const std::string& law, const std::string& weight, const std::string& more = "") {
+  using namespace scene_text;
+  return model("strain", large_motion) +
+         replaced(material("m", "LAW", "210 GPa", "0.3", "7850 kg/m^3"), "\"LAW\"", law) +
+         "[bodies.weight]\n" + rigid("1 kg") + weight + box("beam", "1000 100 mm", thick("100 mm"), "m") +
+         scene_text::time("1 ms") + more;
 }
 const std::string disc = "shape = \"disc\"\ncentre = [\"0 mm\", \"200 mm\"]\nradius = \"100 mm\"\n";
 
-std::string message_of(const std::string& text) {
-  try {
-    parse_scene(text, "scene.toml");
-  } catch (const InputError& e) {
-    return e.what();
-  }
-  return "";
-}
+using test::message_of;
 
 template <class Entries>
 void expect_complete(const Entries& entries) {
@@ -82,7 +59,7 @@ TEST(Catalogue, EntriesOfLawsStandInTheOrderOfTheVariant) {
   }
 }
 
-TEST(Catalogue, MaterialsAnswerForTheirLaws) {
+TEST(Catalogue, MaterialsStateTheirLaws) {
   const Material elastic{"m", 1e9, 0.3, 1000}, rubber{"m", 1e9, 0.3, 1000, NeoHookean::Parameters{}},
       metal{"m", 1e9, 0.3, 1000, Plasticity{1e6, 0}}, hard{"m", 1e9, 0.3, 1000, Plasticity{1e6, 1e7}};
   EXPECT_TRUE(elastic.is_linear_elastic());
@@ -98,19 +75,19 @@ TEST(Catalogue, MaterialsAnswerForTheirLaws) {
   EXPECT_EQ(rubber.bar().refusal, "");
 }
 
-TEST(Catalogue, AMisspeltWordIsAnsweredFromTheList) {
-  EXPECT_EQ(message_of(scene_text("\"neo-hookian\"", disc)),
+TEST(Catalogue, AMisspeltWordGetsASuggestion) {
+  EXPECT_EQ(message_of(weight_and_beam("\"neo-hookian\"", disc)),
             "scene.toml:5:7: \"law\" is \"neo-hookian\"; expected \"elastic\", \"neo-hookean\" or "
             "\"plastic\"; did "
             "you mean \"neo-hookean\"?");
-  EXPECT_THAT(message_of(scene_text("\"elastic\"", "shape = \"quadrilatral\"\n")),
+  EXPECT_THAT(message_of(weight_and_beam("\"elastic\"", "shape = \"quadrilatral\"\n")),
               HasSubstr("did you mean \"quadrilateral\"?"));
 }
 
-// Contact knows the surfaces of boxes, discs and spheres; a ring would have been its bounding box.
+// Contact knows the surfaces of rigid boxes, discs and spheres only.
 TEST(Catalogue, OtherShapesCannotBeRigid) {
-  EXPECT_EQ(message_of(scene_text("\"elastic\"", disc)), "");
-  EXPECT_EQ(message_of(scene_text(
+  EXPECT_EQ(message_of(weight_and_beam("\"elastic\"", disc)), "");
+  EXPECT_EQ(message_of(weight_and_beam(
                 "\"elastic\"",
                 "shape = \"ring\"\ncentre = [\"0 m\", \"1 m\"]\ninner = \"1 mm\"\nouter = \"2 mm\"\n")),
             "scene.toml:12:9: a rigid ring of radii 1 and 2 mm; expected \"box\", \"disc\" or \"sphere\"");
@@ -120,10 +97,10 @@ TEST(Catalogue, BarsRefuseWhatTheirLawCannotDo) {
   const std::string bar =
       "[bars.rod]\nbody = \"beam\"\nfrom = [\"0 m\", \"50 mm\"]\nto = [\"1 m\", \"50 mm\"]\n"
       "area = \"1 mm^2\"\nmaterial = \"m\"\n";
-  EXPECT_EQ(message_of(scene_text("\"neo-hookean\"", disc, bar)), "");
+  EXPECT_EQ(message_of(weight_and_beam("\"neo-hookean\"", disc, bar)), "");
   EXPECT_THAT(
-      message_of(
-          scene_text("\"plastic\"\nyield = \"1 GPa\"\njohnson_cook = {B = \"1 GPa\", n = 0.5}", disc, bar)),
+      message_of(weight_and_beam(
+          "\"plastic\"\nyield = \"1 GPa\"\njohnson_cook = {B = \"1 GPa\", n = 0.5}", disc, bar)),
       HasSubstr("material \"m\" hardens by Johnson-Cook, which bars do not; expected \"hardening\" or "
                 "\"tangent_ratio\""));
 }

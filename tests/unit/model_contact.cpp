@@ -1,5 +1,4 @@
-// Boundaries, nearest points, and the forces of a contact between two grids that know nothing but their
-// points.
+// Boundaries, nearest points, and contact forces between two grids of points, masses and cells.
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -63,7 +62,7 @@ struct Pile {
 };
 
 // 2 x 1 cells have 6 outer edges, two cubes side by side 10 outer faces; the outward areas of a closed
-// surface add up to nothing, and area times position (per dimension) to the volume (Gauss).
+// surface add up to zero, and area times position (per dimension) to the volume (Gauss).
 TEST(Boundary, IsClosedAndFacesOutward) {
   const test::FakeMesh plane;
   double area = 0;
@@ -94,7 +93,7 @@ TEST(Boundary, IsClosedAndFacesOutward) {
 }
 
 // On a warped patch p - foot is along the normal there; shape functions give the foot.
-TEST(Projection, FindsTheNearestPointOfAWarpedPatch) {
+TEST(NearestPoint, OfAWarpedPatch) {
   const std::array<Point, 4> patch{
       Point{0, 0, 0}, Point{1, 0, 0.1}, Point{1.1, 1, -0.1}, Point{0, 0.9, 0.15}};
   const Point p{0.4, 0.6, -0.05};
@@ -107,7 +106,7 @@ TEST(Projection, FindsTheNearestPointOfAWarpedPatch) {
   EXPECT_EQ(s.beyond, 0);
 }
 
-TEST(Projection, SaysHowFarBeyondASegmentThePointLies) {
+TEST(NearestPoint, SaysHowFarBeyondASegmentThePointLies) {
   const Projection s = project_onto_facet(2, {Point{2, 0, 0}, Point{0, 0, 0}}, Point{-0.5, -0.25, 0});
   EXPECT_DOUBLE_EQ(s.gap, -0.25);  // the body lies to the left of 2 -> 0: below
   EXPECT_DOUBLE_EQ(s.beyond, 0.5);
@@ -170,8 +169,8 @@ TEST(Contact, ForcesAndMomentsCancel) {
   }
 }
 
-// Sliding 1e-5 a step: the pull grows with the stretch until it is mu times the pressure, then everything is
-// slip: work mu f per metre.
+// Sliding by 1e-5 a step: the friction grows with the tangential stretch up to mu times the pressure; then
+// the bodies slip, with the work mu f per metre.
 TEST(Contact, FrictionSticksThenSlips) {
   const double mu = 0.3, g = 0.003, dt = 1e-3;
   Pile pile(mu);

@@ -4,48 +4,29 @@
 #include <gtest/gtest.h>
 
 #include "model/motion/effects/catalogue.hpp"
-#include "model/scene/reader/reader.hpp"
+#include "model_faults.hpp"
+#include "tests/scene_text.hpp"
 
 namespace femsph {
 namespace {
 
 using testing::HasSubstr;
 
-std::string scene_text(const std::string& rest, const std::string& weight = "mass = \"300 kg\"\n") {
-  return R"([model]
-plane = "stress"
-[materials.steel]
-law = "elastic"
-young = "210 GPa"
-poisson = 0.3
-density = "7850 kg/m^3"
-[bodies.weight]
+std::string weight_on_beam(const std::string& rest, const std::string& weight = "mass = \"300 kg\"\n") {
+  using namespace scene_text;
+  return model("stress") + steel() + R"([bodies.weight]
 shape = "disc"
 rigid = true
 centre = ["0 mm", "200 mm"]
 radius = "100 mm"
 )" + weight +
-         R"([bodies.beam]
-shape = "box"
-size = ["1 m", "100 mm"]
-thickness = "100 mm"
-material = "steel"
-[time]
-duration = "1 ms"
-)" + rest;
+         box("beam", "1000 100 mm", thick("100 mm")) + scene_text::time("1 ms") + rest;
 }
 
-std::string message_of(const std::string& text) {
-  try {
-    parse_scene(text, "scene.toml");
-  } catch (const InputError& e) {
-    return e.what();
-  }
-  return "";
-}
+using test::message_of;
 
 TEST(ContactReader, ReadsRigidBodiesAndContacts) {
-  const Scene s = parse_scene(scene_text(R"([[contacts]]
+  const Scene s = parse_scene(weight_on_beam(R"([[contacts]]
 between = ["weight", "beam"]
 friction = 0.3
 [[supports]]
@@ -72,29 +53,30 @@ force = ["0 N", "-5 N"]
 // 1000 kg/m^3 x pi 0.1^2 x 0.5 m = 15.708 kg.
 TEST(ContactReader, TakesADensityInsteadOfAMass) {
   const Scene s = parse_scene(
-      scene_text("", "density = \"1000 kg/m^3\"\nthickness = \"500 mm\"\n"), "scene.toml");
+      weight_on_beam("", "density = \"1000 kg/m^3\"\nthickness = \"500 mm\"\n"), "scene.toml");
   EXPECT_NEAR(s.bodies[0].mass, 15.708, 1e-3);
 }
 
 TEST(ContactReader, ExplainsWhatIsWrong) {
-  EXPECT_THAT(message_of(scene_text("[[contacts]]\nbetween = [\"weight\", \"beem\"]\n")),
+  EXPECT_THAT(message_of(weight_on_beam("[[contacts]]\nbetween = [\"weight\", \"beem\"]\n")),
               HasSubstr("unknown body \"beem\"; expected \"weight\" or \"beam\"; did you mean \"beam\"?"));
-  EXPECT_THAT(message_of(scene_text("[[contacts]]\nbetween = [\"beam\"]\n")),
+  EXPECT_THAT(message_of(weight_on_beam("[[contacts]]\nbetween = [\"beam\"]\n")),
               HasSubstr("\"between\" does not name two bodies"));
-  EXPECT_THAT(message_of(scene_text("[[contacts]]\nbetween = [\"weight\", \"beam\"]\nstiffness = 0.0\n")),
+  EXPECT_THAT(message_of(weight_on_beam("[[contacts]]\nbetween = [\"weight\", \"beam\"]\nstiffness = 0.0\n")),
               HasSubstr("\"stiffness\" is 0"));
-  EXPECT_THAT(message_of(scene_text("[[contacts]]\nbetween = [\"weight\", \"beam\"]\n[[contacts]]\nbetween = "
-                                    "[\"weight\", \"beam\"]\n")),
-              HasSubstr("is taken"));
-  EXPECT_THAT(message_of(scene_text("[[supports]]\nbody = \"weight\"\nat = \"x-\"\nfix = [\"x\"]\n")),
+  EXPECT_THAT(
+      message_of(weight_on_beam("[[contacts]]\nbetween = [\"weight\", \"beam\"]\n[[contacts]]\nbetween = "
+                                "[\"weight\", \"beam\"]\n")),
+      HasSubstr("is taken"));
+  EXPECT_THAT(message_of(weight_on_beam("[[supports]]\nbody = \"weight\"\nat = \"x-\"\nfix = [\"x\"]\n")),
               HasSubstr("part of body \"weight\", which is rigid"));
-  EXPECT_THAT(message_of(scene_text("[[supports]]\nbody = \"weight\"\nfix = [\"z\"]\n")),
+  EXPECT_THAT(message_of(weight_on_beam("[[supports]]\nbody = \"weight\"\nfix = [\"z\"]\n")),
               HasSubstr("unknown component \"z\"; expected \"x\", \"y\" or \"turn\""));
-  EXPECT_THAT(message_of(scene_text("[[probes]]\nname = \"p\"\nbody = \"weight\"\nquantity = "
-                                    "\"velocity\"\npoint = [\"0 mm\", \"200 mm\"]\n")),
+  EXPECT_THAT(message_of(weight_on_beam("[[probes]]\nname = \"p\"\nbody = \"weight\"\nquantity = "
+                                        "\"velocity\"\npoint = [\"0 mm\", \"200 mm\"]\n")),
               HasSubstr("weight_vx"));
-  EXPECT_THAT(message_of(scene_text("", "")), HasSubstr("missing \"mass\""));
-  EXPECT_THAT(message_of(scene_text("", "mass = \"1 kg\"\nmaterial = \"steel\"\n")),
+  EXPECT_THAT(message_of(weight_on_beam("", "")), HasSubstr("missing \"mass\""));
+  EXPECT_THAT(message_of(weight_on_beam("", "mass = \"1 kg\"\nmaterial = \"steel\"\n")),
               HasSubstr("unknown key \"material\""));
 }
 
@@ -103,7 +85,7 @@ TEST(ContactReader, ReadsTiedBodiesAndRefusesWhatTheyCannotHave) {
       "[bodies.more]\nshape = \"box\"\norigin = [\"1 m\", \"0 m\"]\nsize = [\"1 m\", \"100 mm\"]\nthickness "
       "= \"100 mm\"\nmaterial = \"steel\"\n";
   const auto tied = [&](const std::string& bodies, const std::string& rest) {
-    return scene_text(other + "[[contacts]]\nkind = \"tied\"\nbetween = [" + bodies + "]\n" + rest);
+    return weight_on_beam(other + "[[contacts]]\nkind = \"tied\"\nbetween = [" + bodies + "]\n" + rest);
   };
   const Scene s = parse_scene(tied("\"beam\", \"more\"", ""), "scene.toml");
   ASSERT_EQ(s.contacts.size(), 1u);
@@ -114,7 +96,7 @@ TEST(ContactReader, ReadsTiedBodiesAndRefusesWhatTheyCannotHave) {
               HasSubstr("\"friction\" in a contact of kind \"tied\""));
   EXPECT_THAT(message_of(tied("\"beam\", \"weight\"", "")), HasSubstr("one of two tied bodies is rigid"));
   EXPECT_THAT(
-      message_of(scene_text(other + "[[contacts]]\nkind = \"glued\"\nbetween = [\"beam\", \"more\"]\n")),
+      message_of(weight_on_beam(other + "[[contacts]]\nkind = \"glued\"\nbetween = [\"beam\", \"more\"]\n")),
       HasSubstr("expected \"press\" or \"tied\""));
 }
 

@@ -1,5 +1,5 @@
-// The catalogue of effects, the list that a march makes of it, and that the internal force is kept apart from
-// what effects add.
+// The catalogue of effects, the list of effects of a march, and internal forces kept apart from those of
+// effects.
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -11,30 +11,19 @@
 #include "model/scene/reader/reader.hpp"
 #include "model/scene/shapes/box.hpp"
 #include "model_grid.hpp"
+#include "tests/scene_text.hpp"
 
 namespace femsph {
 namespace {
 
 using testing::ElementsAre;
 
-const std::string plain = R"(
-[model]
-plane = "stress"
-[materials.m]
-law = "elastic"
-young = "1 Pa"
-poisson = 0
-density = "2 kg/m^3"
-[bodies.block]
-shape = "box"
-size = ["1 m", "1 m"]
-thickness = "1 m"
-material = "m"
-[time]
-duration = "1 s"
-)";
+using namespace scene_text;
 
-TEST(Effects, EachSaysWhatItIsAndWhatAsksForIt) {
+const std::string plain = model("stress") + material("m", "elastic", "1 Pa", "0", "2 kg/m^3") +
+                          box("block", "1 1 m", thick("1 m"), "m") + scene_text::time("1 s");
+
+TEST(Effects, EachStatesItsDescriptionAndItsKey) {
   std::set<std::string> words;
   for (const EffectEntry& effect : effects()) {
     EXPECT_TRUE(words.insert(effect.word).second) << effect.word << " twice";
@@ -66,8 +55,9 @@ TEST(Effects, WhatIsOnIsNotOff) {
   EXPECT_TRUE(pushed_from_outside(scene));
 }
 
-// Whether momentum is kept by the sum over all bodies: what starts them or joins them leaves it alone.
-TEST(Effects, WhatPushesFromOutside) {
+// Effects from outside change the momentum of all bodies together; initial velocities, contacts and ties do
+// not.
+TEST(Effects, WhichActFromOutside) {
   std::set<std::string> outside;
   for (const EffectEntry& effect : effects())
     if (effect.outside) outside.insert(effect.word);
@@ -95,7 +85,7 @@ Scene block() {
   return s;
 }
 
-/// A grid on springs to its neighbour (points 2k and 2k + 1), so that the internal forces add up to nothing.
+/// A grid on springs to its neighbour (points 2k and 2k + 1), so that the internal forces add up to zero.
 class Sprung : public test::Grid {
  public:
   Sprung() : Grid({}, 1, 1, 3, 3) {}
@@ -133,7 +123,7 @@ TEST(Effects, AMarchHoldsThoseOfItsScene) {
   EXPECT_EQ(hooks(Hook::constrain), 0u);
 }
 
-// With gravity on, the forces on the points add up to the weight; the internal forces add up to nothing, to
+// With gravity on, the forces on the points add up to the weight; the internal forces add up to zero, to
 // the last bit, as each is the opposite of another.
 TEST(Effects, InternalForcesAreKeptApart) {
   Scene scene = block();
@@ -163,8 +153,8 @@ TEST(Effects, InternalForcesAreKeptApart) {
   EXPECT_EQ(between, march.step()) << "kept beyond the sample";
 }
 
-// A mean that is held starts at rest, whatever [[initial]] gives its points: constraints come after all that
-// effects add.
+// A support that holds a mean starts it at rest, whatever [[initial]] gives its points: constraints act after
+// all other effects.
 TEST(Effects, AHeldMeanStartsAtRest) {
   Scene scene = block();
   scene.initial_velocities.push_back({0, {0, 3, 0}});

@@ -1,48 +1,25 @@
-// One fault, one message: whatever refers to something that is itself at fault says nothing of its own.
+// One fault gives one message: what refers to something faulty adds none.
 
 #include <gtest/gtest.h>
 
-#include "model/scene/reader/reader.hpp"
+#include "model_faults.hpp"
+#include "tests/scene_text.hpp"
 
 namespace femsph {
 namespace {
 
+using namespace scene_text;
+
 /// Everything in it refers to the body, to its material or to its sides.
-const std::string good = R"(
-[model]
-plane = "strain"
-[materials.steel]
-law = "elastic"
-young = "210 GPa"
-poisson = 0.3
-density = "7850 kg/m^3"
-[materials.other]
-law = "elastic"
-young = "1 GPa"
-poisson = 0.3
-density = "1000 kg/m^3"
-[bodies.block]
-shape = "box"
-size = ["40 mm", "40 mm"]
-thickness = "1 mm"
-material = "steel"
-[bodies.ram]
-rigid = true
-shape = "box"
-origin = ["0 mm", "40 mm"]
-size = ["40 mm", "10 mm"]
-mass = "1 kg"
-[[supports]]
-body = "block"
-at = "y-"
-fix = ["x", "y"]
-[[supports]]
-body = "block"
-at = "y-"
-within = [["0 mm", "0 mm"], ["10 mm", "10 mm"]]
-fix = ["y"]
-name = "corner"
-[[supports]]
+const std::string good =
+    model("strain") + steel() + material("other", "elastic", "1 GPa", "0.3", "1000 kg/m^3") +
+    box("block", "40 40 mm", thick("1 mm")) +
+    "[bodies.ram]\nshape = \"box\"\nsize = [\"40 mm\", \"10 mm\"]\n" + origin("0 40 mm") + rigid("1 kg") +
+    support("y-", "x y", of_body("block")) +
+    support(
+        "y-", "y",
+        of_body("block") + "within = [[\"0 mm\", \"0 mm\"], [\"10 mm\", \"10 mm\"]]\n" + named("corner")) +
+    R"([[supports]]
 body = "ram"
 fix = ["x", "turn"]
 [[symmetry]]
@@ -69,57 +46,29 @@ centre = ["0 mm", "0 mm"]
 [[initial_displacements]]
 body = "block"
 gradient = [[0, 0], [0, 1e-3]]
-[[contacts]]
-between = ["block", "ram"]
-[[probes]]
-name = "p"
-body = "block"
-quantity = "stress"
-point = ["20 mm", "20 mm"]
-[[sections]]
-name = "s"
-body = "block"
-quantity = "strain"
-from = ["10 mm", "10 mm"]
-to = ["20 mm", "10 mm"]
-[time]
-duration = "1 ms"
-)";
+)" + contact("block", "ram") +
+    probe("p", "stress", "20 20 mm", of_body("block")) +
+    section("s", "strain", "10 10 mm", "20 10 mm", of_body("block")) + scene_text::time("1 ms");
 
-std::string with(std::string text, const std::string& old, const std::string& instead) {
-  const auto at = text.find(old);
-  if (at == std::string::npos) throw std::logic_error("no such text: " + old);
-  return text.replace(at, old.size(), instead);
-}
-
-/// All that is said of a scene, without places.
-std::string said(const std::string& text) {
-  try {
-    parse_scene(text, "scene.toml");
-  } catch (const InputError& e) {
-    std::string all;
-    for (const Fault& fault : e.faults()) all += (all.empty() ? "" : " | ") + fault.text;
-    return all;
-  }
-  return "";
-}
+/// All messages about a scene, without places.
+std::string said(const std::string& text) { return test::faults_of(text, " | "); }
 
 const std::string block = "shape = \"box\"\nsize = [\"40 mm\", \"40 mm\"]\nthickness";
 
 TEST(FollowUp, TheSceneItselfIsGood) { EXPECT_EQ(said(good), ""); }
 
 TEST(FollowUp, OfAShape) {
-  EXPECT_EQ(said(with(good, block, "shape = \"mesh\"\nfile = \"none.msh\"\nunit = \"mm\"\nthickness")),
+  EXPECT_EQ(said(replaced(good, block, "shape = \"mesh\"\nfile = \"none.msh\"\nunit = \"mm\"\nthickness")),
             "no such file \"none.msh\"; expected a .msh file of Gmsh");
   EXPECT_EQ(
-      said(with(good, block, "shape = \"boxx\"\nsize = [\"40 mm\", \"40 mm\"]\nthickness")),
+      said(replaced(good, block, "shape = \"boxx\"\nsize = [\"40 mm\", \"40 mm\"]\nthickness")),
       "\"shape\" is \"boxx\"; expected \"box\", \"disc\", \"sphere\", \"mesh\", \"ring\", \"cylinder\", "
       "\"tube\", \"quadrilateral\" or \"ball\"; did you mean \"box\"?");
-  EXPECT_EQ(said(with(good, block, "shape = \"box\"\nsize = [\"40 mm\"]\nthickness")),
+  EXPECT_EQ(said(replaced(good, block, "shape = \"box\"\nsize = [\"40 mm\"]\nthickness")),
             "\"size\" has 1 component; expected 2 (x, y) in a plane scene");
-  EXPECT_EQ(
-      said(with(good, block, "shape = \"sphere\"\ncentre = [\"0 m\", \"0 m\"]\nradius = \"1 m\"\nthickness")),
-      "a sphere in a plane scene; expected \"disc\"");
+  EXPECT_EQ(said(replaced(
+                good, block, "shape = \"sphere\"\ncentre = [\"0 m\", \"0 m\"]\nradius = \"1 m\"\nthickness")),
+            "a sphere in a plane scene; expected \"disc\"");
 }
 
 TEST(FollowUp, OfATableThatIsNone) {
@@ -129,12 +78,12 @@ TEST(FollowUp, OfATableThatIsNone) {
     text.erase(begin, text.find(to) - begin);
   };
   cut("[materials.steel]", "[materials.other]");
-  text = with(text, "[materials.other]", "[materials]\nsteel = 5\n[materials.other]");
+  text = replaced(text, "[materials.other]", "[materials]\nsteel = 5\n[materials.other]");
   EXPECT_EQ(said(text),
             "\"materials.steel\" is a plain number; expected at least one table such as [materials.steel]");
   text = good;
   cut("[bodies.block]", "[bodies.ram]");
-  text = with(text, "[bodies.ram]", "[bodies]\nblock = \"box\"\n[bodies.ram]");
+  text = replaced(text, "[bodies.ram]", "[bodies]\nblock = \"box\"\n[bodies.ram]");
   EXPECT_EQ(said(text), "\"bodies.block\" is a text; expected at least one table such as [bodies.beam]");
   text = good;
   cut("[bodies.block]", "[[supports]]");
@@ -142,39 +91,39 @@ TEST(FollowUp, OfATableThatIsNone) {
 }
 
 TEST(FollowUp, OfAMaterial) {
-  EXPECT_EQ(said(with(good, "law = \"elastic\"", "law = \"elastik\"\nyield = \"1 Pa\"")),
+  EXPECT_EQ(said(replaced(good, "law = \"elastic\"", "law = \"elastik\"\nyield = \"1 Pa\"")),
             "\"law\" is \"elastik\"; expected \"elastic\", \"neo-hookean\" or \"plastic\"; did you mean "
             "\"elastic\"?");
-  EXPECT_EQ(said(with(good, "young = \"210 GPa\"", "young = 210")),
+  EXPECT_EQ(said(replaced(good, "young = \"210 GPa\"", "young = 210")),
             "\"young\" is a plain number; expected a pressure with its unit, such as \"210 GPa\"");
 }
 
 TEST(FollowUp, OfTheModel) {
   EXPECT_EQ(
-      said(with(good, "plane = \"strain\"", "plane = \"strains\"")),
+      said(replaced(good, "plane = \"strain\"", "plane = \"strains\"")),
       "\"plane\" is \"strains\"; expected \"stress\", \"strain\" or \"none\"; did you mean \"strain\"?");
 }
 
 TEST(FollowUp, OfARigidBody) {
   EXPECT_EQ(
-      said(with(good, "rigid = true", "rigid = \"yes\"")), "\"rigid\" is a text; expected true or false");
-  EXPECT_EQ(said(with(good, "body = \"ram\"\n", "body = \"ram\"\nat = \"x-\"\n")),
+      said(replaced(good, "rigid = true", "rigid = \"yes\"")), "\"rigid\" is a text; expected true or false");
+  EXPECT_EQ(said(replaced(good, "body = \"ram\"\n", "body = \"ram\"\nat = \"x-\"\n")),
             "part of body \"ram\", which is rigid; expected \"all\", which stands for its centre");
-  EXPECT_EQ(said(with(good, "body = \"ram\"\n", "body = \"rma\"\n")),
+  EXPECT_EQ(said(replaced(good, "body = \"ram\"\n", "body = \"rma\"\n")),
             "unknown body \"rma\"; expected \"block\" or \"ram\"; did you mean \"ram\"?");
 }
 
 TEST(FollowUp, OfAPlace) {
-  EXPECT_EQ(said(with(good, "at = \"x+\"", "at = \"x\"")),
+  EXPECT_EQ(said(replaced(good, "at = \"x+\"", "at = \"x\"")),
             "unknown side \"x\"; expected \"x-\", \"x+\", \"y-\", \"y+\" or \"all\"; did you mean \"x-\"?");
-  EXPECT_EQ(said(with(good, "at = \"x+\"\n", "")),
+  EXPECT_EQ(said(replaced(good, "at = \"x+\"\n", "")),
             "missing \"at\" in [[loads]]; expected at = \"x-\" (sides, or \"all\") or point = [..] (the "
             "nearest point)");
 }
 
 TEST(FollowUp, OfAProbe) {
   EXPECT_EQ(
-      said(with(good, "quantity = \"stress\"", "quantity = \"displacment\"\nreading = \"raw\"")),
+      said(replaced(good, "quantity = \"stress\"", "quantity = \"displacment\"\nreading = \"raw\"")),
       "\"quantity\" is \"displacment\"; expected \"displacement\", \"velocity\", \"stress\", \"strain\", "
       "\"plastic_strain\", \"equivalent_stress\" or \"principal_stress\"; did you mean "
       "\"displacement\"?");

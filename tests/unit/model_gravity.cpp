@@ -1,5 +1,5 @@
-// Weight and its power in both layouts, against the sum written out; a number of points that fills no last
-// eight.
+// Weight and its power in both layouts, against the sum written out; for a number of points that is not a
+// multiple of eight.
 
 #include <gtest/gtest.h>
 

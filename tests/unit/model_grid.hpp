@@ -1,5 +1,5 @@
 #pragma once
-// A discretization that is nothing but points, masses and cells, for tests of what acts on boundaries.
+// A discretization with points, masses and cells alone, for tests of what acts on boundaries.
 
 #include <algorithm>
 

@@ -1,4 +1,4 @@
-// The tables of keys: readers ask for nothing that they do not state, and the page shows what they state.
+// The tables of keys: a reader may read only keys that its table states, and the page shows them all.
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -26,7 +26,7 @@ const KeyPage page = {
        {"kind", "\"slow\" or \"fast\"", "Which."}}},
      {"[bodies.NAME]", "A body.", {{"size", key_holds::vector(dimension::length), "How large."}}}}};
 
-/// What a reader of a table that asks for something unstated is told; empty: nothing.
+/// The message to a reader that reads a key which its table does not state; empty if there is none.
 template <class Ask>
 std::string told(Ask&& ask) {
   const toml::table table = toml::parse("title = \"x\"\n[time]\nduration = \"1 s\"\n");
@@ -40,7 +40,7 @@ std::string told(Ask&& ask) {
   return "";
 }
 
-TEST(Keys, AReaderAsksForNothingThatItsTableDoesNotState) {
+TEST(Keys, AReaderMayReadOnlyKeysOfItsTable) {
   const auto time = [](Fields& root) { return *root.table("time", Need::optional, "a table"); };
   EXPECT_EQ(told([&](Fields& root) {
               root.text("title", Need::required);
@@ -80,7 +80,7 @@ TEST(Keys, ThePageShowsEveryKey) {
             "- `size`: a vector, each component a length. How large.\n");
 }
 
-TEST(Keys, ThePageOfScenesNamesWhatNobodyKnew) {
+TEST(Keys, ThePageOfScenesHasItsRareKeys) {
   const std::string text = to_markdown(scene_page());
   for (const char* what :
        {"\n## [[sections]]\n", "\n- `point`: ", "\n- `within`: ", "\n- `samples`: ",
@@ -91,7 +91,7 @@ TEST(Keys, ThePageOfScenesNamesWhatNobodyKnew) {
 }
 
 // Every scene of the repository is read with its tables of keys; a key that is read and not stated would
-// throw std::logic_error. Scenes with faults on purpose are refused as before.
+// throw std::logic_error. Scenes that are faulty on purpose are refused.
 TEST(Keys, EverySceneIsReadByItsTable) {
   int scenes = 0;
   for (const char* folder : {"studies", "tests/scenes", "tests/field/scenes"})
@@ -110,7 +110,7 @@ TEST(Keys, EverySceneIsReadByItsTable) {
   EXPECT_GT(scenes, 50);
 }
 
-// Keys that few scenes have, read once each with nothing else wrong than what is meant.
+// Keys that few scenes have, each read once.
 TEST(Keys, RareKeysAreStated) {
   const std::string top =
       "[model]\nplane = \"none\"\nmotion = \"large\"\n[materials.a]\nlaw = \"plastic\"\nyoung = \"1 Pa\"\n"

@@ -1,4 +1,4 @@
-// The rotation of the polar decomposition against what defines it.
+// The rotation of the polar decomposition against its definition.
 
 #include <gtest/gtest.h>
 
@@ -46,8 +46,8 @@ Matrix random_motion(std::mt19937& random, double size, Matrix& R) {
   return product(R, U);
 }
 
-// Stretches from 1 + 1e-8 to 4 and 1/4. U is known before R is sought; the error is that of a few products of
-// the size of R.
+// Stretches from 1 + 1e-8 to 4 and 1/4. U is found before R; the error is that of a few products of the size
+// of R.
 TEST(PolarRotation, IsTheRotationThatWasPutIn) {
   std::mt19937 random(7);
   for (const double size : {1e-8, 1e-3, 0.01, 0.02, 0.1, 0.15, 0.3, 0.7, 1.38})
@@ -59,8 +59,8 @@ TEST(PolarRotation, IsTheRotationThatWasPutIn) {
     }
 }
 
-// The turns end when every lane is there: a lane beside strongly stretched ones is what it is alone, to
-// round-off.
+// Iterations end when every lane has converged: a lane beside strongly stretched ones gives what it gives
+// alone, to round-off.
 TEST(PolarRotation, LanesDoNotDisturbEachOther) {
   std::mt19937 random(8);
   const double sizes[lanes] = {1e-9, 1e-4, 0.01, 0.05, 0.2, 0.5, 1, 0};
@@ -81,8 +81,8 @@ TEST(PolarRotation, LanesDoNotDisturbEachOther) {
   }
 }
 
-// All that the decomposition gives at once: R orthogonal, F = R U, U U^-1 = 1, whether by the short series,
-// the long one or turns before it.
+// All that the decomposition gives at once: R orthogonal, F = R U, U U^-1 = 1, by the short series, the long
+// one, or iterations before it.
 TEST(PolarRotation, StretchAndItsInverseGoWithIt) {
   std::mt19937 random(9);
   for (const double size :

@@ -54,7 +54,7 @@ TEST(Plastic, EachLaneIsTheScalarLaw) {
     }
 }
 
-// The short way of a step in which no lane yields is the long one, to round-off.
+// A step in which no lane yields takes a shorter branch, with the same result to round-off.
 template <int dim>
 void short_way_is_the_long_one(const Plastic& law) {
   constexpr int n = symmetric_size<dim>, history = Plastic::history_size<dim>;
@@ -88,7 +88,7 @@ void short_way_is_the_long_one(const Plastic& law) {
   EXPECT_GT(yielding, 20);
 }
 
-TEST(Plastic, TheShortWayIsTheLongOne) {
+TEST(Plastic, TheElasticBranchEqualsTheFullUpdate) {
   for (const Plane plane : planes) {
     if (plane == Plane::none)
       short_way_is_the_long_one<3>(plastic_law(plane));
@@ -135,10 +135,10 @@ TEST(Plastic, AxesDoNotMatter) {
     }
 }
 
-// Work of the stress over a step, by the trapezoid that the leap-frog's ledger uses, is what the law stores
-// and what it takes: to round-off. And with return mapping what it takes is positive, under any rule of
-// tension.
-TEST(Plastic, WorkIsStoredOrTaken) {
+// The work of the stress over a step, by the trapezoidal rule as in the energy balance of the march, is
+// stored energy and plastic work, to round-off. With return mapping plastic work is positive under every rule
+// of tension.
+TEST(Plastic, WorkIsStoredOrPlastic) {
   for (const Plasticity& p : all_parameters())
     for (Plane plane : planes) {
       SCOPED_TRACE(testing::Message() << "plane " << int(plane) << " tension " << int(p.tension)
@@ -161,9 +161,9 @@ TEST(Plastic, WorkIsStoredOrTaken) {
     }
 }
 
-// Proportional loading: the work taken is the integral of Y dp = sigma_y p + H p^2/2, to the order of the
+// Proportional loading: the plastic work is the integral of Y dp = sigma_y p + H p^2/2, to the order of the
 // step.
-TEST(Plastic, WorkTakenIsYieldTimesPlasticStrain) {
+TEST(Plastic, PlasticWorkIsYieldTimesPlasticStrain) {
   const auto error = [](int steps) {
     MaterialPoint point(plastic_law(Plane::none));
     PointState s;

@@ -4,8 +4,9 @@
 
 #include "model/input/faults.hpp"
 #include "model/motion/effects/catalogue.hpp"
-#include "model/scene/reader/reader.hpp"
+#include "model_faults.hpp"
 #include "model_law_support.hpp"
+#include "tests/scene_text.hpp"
 
 namespace femsph::test {
 namespace {
@@ -54,22 +55,16 @@ TEST(Point, WritesWhatThePlaneUses) {
       point_csv(plastic_law(Plane::none), Plane::none, {{}}), HasSubstr("exx,eyy,ezz,gxy,gyz,gzx,sxx"));
 }
 
+std::string scene_text_with(const std::string& keys, const std::string& law) {
+  using namespace scene_text;
+  return model("stress") + material("m", law, "210 GPa", "0.3", "7850 kg/m^3", keys + "\n") +
+         box("b", "1 1 m", thick("1 m"), "m") + scene_text::time("1 s");
+}
 Scene scene_with(const std::string& keys, const std::string& law = "plastic") {
-  return parse_scene("[model]\nplane = \"stress\"\n[materials.m]\nlaw = \"" + law +
-                         "\"\nyoung = \"210 GPa\"\npoisson = 0.3\ndensity = \"7850 kg/m^3\"\n" + keys +
-                         "\n[bodies.b]\nshape = \"box\"\nsize = [\"1 m\", \"1 m\"]\nthickness = \"1 "
-                         "m\"\nmaterial = \"m\"\n[time]\nduration = \"1 s\"\n",
-                     "scene.toml");
+  return parse_scene(scene_text_with(keys, law), "scene.toml");
 }
 std::string scene_fault(const std::string& keys, const std::string& law = "plastic") {
-  try {
-    scene_with(keys, law);
-  } catch (const InputError& error) {
-    std::string all;
-    for (const Fault& fault : error.faults()) all += (all.empty() ? "" : "\n") + fault.text;
-    return all;
-  }
-  return "";
+  return test::faults_of(scene_text_with(keys, law), "\n");
 }
 
 TEST(PlasticMaterial, IsReadAsWritten) {

@@ -40,8 +40,8 @@ double equivalent(const Plastic& law, const Symmetric<double, dim>& s, const dou
   return plastic::von_mises<double, dim>({s, law.stress_across<double, dim>(history)});
 }
 
-// Crooked random steps of many sizes: where the step flows, the stress lies on the surface of its end, to
-// round-off.
+// Random steps of many sizes: after a plastic step the stress lies on the yield surface of the end of the
+// step, to round-off.
 template <int dim>
 void expect_on_the_surface(Plane plane) {
   Plastic law = steel(plane, true, true);
@@ -69,7 +69,7 @@ void expect_on_the_surface(Plane plane) {
   EXPECT_GT(flowed, 1000);
 }
 
-TEST(JohnsonCook, EndsOnItsOwnSurface) {
+TEST(JohnsonCook, EndsOnTheYieldSurface) {
   expect_on_the_surface<3>(Plane::none);
   expect_on_the_surface<2>(Plane::strain);
 }
@@ -118,7 +118,7 @@ TEST(JohnsonCook, AdiabaticCurve) {
     before = error;
     EXPECT_NEAR(q, formula(end, 1e4, T), (1.0 / steps + 2e-4) * q) << steps;
   }
-  EXPECT_GT(T - room, 200);  // so much that it matters
+  EXPECT_GT(T - room, 200);  // a large effect
 }
 
 TEST(JohnsonCook, EightLanesAreEightPoints) {

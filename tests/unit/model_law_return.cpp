@@ -124,9 +124,9 @@ TEST(Return, PlaneStressEndsAtTheRoot) {
         }
 }
 
-// Eight lanes at once, each with an overshoot of its own from none to 1000 Y: lanes that are done at once
-// stand beside lanes that take many steps, and every one ends at its root (by bisection in long double) and
-// keeps the state that does not yield.
+// Eight lanes with overshoots from 0 to 1000 Y: lanes that converge at once are beside lanes that take many
+// iterations. Each one ends at its root (by bisection in long double), and lanes that do not yield keep their
+// state.
 TEST(Return, PlaneStressLanesEndAtTheirOwnRoots) {
   std::mt19937 random(5);
   std::uniform_real_distribution<double> unit(0, 1), direction(-1, 1);

@@ -1,5 +1,5 @@
-// The rules of tension hold their limit; the hypotheses of integration without return mapping do what they
-// are known for.
+// The rules of tension keep their limits; the hypotheses of integration without return mapping have their
+// known defects.
 
 #include "model_law_support.hpp"
 
@@ -123,8 +123,8 @@ TEST(NoReturn, Hypothesis3Ratchets) {
 }
 
 // A plastic step raises Y by E dp, about E 2G/(3G + H) d eps, an elastic one q by 2G d eps: nearly the same,
-// so they take turns, on a smooth path. Half of the steps are elastic, and q leaves the curve: at a rate near
-// 2G/2 instead of H 2G/(3G + H).
+// so that elastic and plastic steps alternate on a smooth path. Half of the steps are elastic, and q leaves
+// the curve: at a rate near 2G/2 instead of H 2G/(3G + H).
 TEST(NoReturn, Hypothesis8TogglesAndLogsItsWork) {
   const int steps = 1000;
   const Driven exact = drive(with(Integration::return_mapping), monotone(steps)),

@@ -42,7 +42,7 @@ inline std::vector<Plasticity> all_parameters() {
   return all;
 }
 
-/// A smooth crooked path of `steps` steps that yields in both directions; components that the plane fixes are
+/// A smooth curved path of `steps` steps that yields in both directions; components that the plane fixes are
 /// 0.
 inline std::vector<Strain> crooked_path(Plane plane, int steps = 400, double size = 0.006) {
   std::vector<Strain> path;

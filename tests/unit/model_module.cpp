@@ -1,5 +1,5 @@
-// A program opens its modules only as a whole: a module that is missing, or of another build, is one clear
-// message.
+// The program loads a module only from its own build: a module that is missing, or of another build, gives
+// one clear message.
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

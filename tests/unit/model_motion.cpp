@@ -1,4 +1,4 @@
-// The march on one mass and one spring (m u'' = F - k u, omega = sqrt(k/m)), where everything is known.
+// The march on one mass and one spring (m u'' = F - k u, omega = sqrt(k/m)), whose solution is known.
 //   critical step              2 / omega
 //   discrete frequency         sin(omega_d dt / 2) = omega dt / 2, exact for the leap-frog
 //   energy                     1/2 v- m v+ + 1/2 k u^2 is constant to round-off
@@ -11,30 +11,18 @@
 
 #include "model/motion/march.hpp"
 #include "model/results/recorder.hpp"
-#include "model/scene/shapes/box.hpp"
+#include "model_masses.hpp"
 
 namespace femsph {
 namespace {
 
 constexpr double mass_of_it = 2.0, spring = 800.0, omega = 20.0;
 
-/// Mass 0 is free in x and y and held by the spring in x; optionally a constant negative force law that blows
-/// up.
-class Spring : public Discretization {
+/// Held by the spring in x, free in y; beyond `explode_at` its force is no number.
+class Spring : public test::OneMass {
  public:
   explicit Spring(double k = spring, double explode_at = 1e300)
-      : k_(k), explode_at_(explode_at), mass_(1, mass_of_it) {
-    layout_ = {1, 2, 2, 1, 0, 2};
-  }
-  std::string describe() const override { return "a spring"; }
-  const Layout& layout() const override { return layout_; }
-  std::span<const double> mass() const override { return mass_; }
-  Point position(std::size_t) const override { return {0.5, 0.25, 0}; }
-  std::size_t units() const override { return 1; }
-  std::string unit_name() const override { return "element"; }
-  double spacing() const override { return 1; }
-  double wave_speed() const override { return 1; }
-  std::size_t bytes() const override { return 0; }
+      : OneMass(mass_of_it), k_(k), explode_at_(explode_at) {}
   void internal_force(const double* u, const double*, double, double* f, double*) override {
     f[0] = -k_ * u[0];
     f[1] = std::abs(u[0]) > explode_at_ ? std::nan("") : 0.0;
@@ -43,28 +31,16 @@ class Spring : public Discretization {
   Energies energies(const double* u) const override { return {0.5 * k_ * u[0] * u[0]}; }
   std::vector<Weight> points_of(const Place& place) const override {
     if (!place.sides.empty() && place.sides[0] == "nowhere") return {};
-    return {{0, 1.0}};
+    return OneMass::points_of(place);
   }
-  std::vector<Weight> interpolation(const Point&) const override { return {{0, 1.0}}; }
-  std::vector<Weight> material_interpolation(const Point&) const override { return {}; }
-  std::size_t material_points() const override { return 0; }
-  Point material_position(std::size_t) const override { return {}; }
-  double material_volume(std::size_t) const override { return 0; }
-  void material_state(const double*, std::span<const std::size_t>, MaterialState&) const override {}
-  Topology topology() const override { return {}; }
 
  private:
   double k_, explode_at_;
-  Layout layout_;
-  std::vector<double> mass_;
 };
 
 Scene scene_for(double duration) {
-  Scene s;
-  s.materials["m"] = Material{"m", 1, 0, 1};
-  s.bodies.push_back({"body", std::make_shared<Box>(2, Point{}, Point{1, 1, 0}), 1, "m"});
+  Scene s = test::scene_of_masses(duration);
   s.probes.push_back({"mass", 0, quantity_named("displacement"), {}});
-  s.duration = duration;
   s.samples = 1000000;
   return s;
 }
@@ -79,18 +55,13 @@ Load push(Point force, TimeHistory history = {}) {
 struct Marched {
   explicit Marched(const Scene& scene, MarchOptions options = {},
                    std::unique_ptr<Discretization> body = std::make_unique<Spring>())
-      : march(scene, one(std::move(body)), options), recorder(march) {
+      : march(scene, test::bodies_of(std::move(body)), options), recorder(march) {
     MarchEvents events;
     events.sample = [&](const March& m) {
       recorder.sample(m);
       worst = std::max(worst, std::abs(m.ledger().imbalance()));
     };
     march.run(events);
-  }
-  static std::vector<std::unique_ptr<Discretization>> one(std::unique_ptr<Discretization> body) {
-    std::vector<std::unique_ptr<Discretization>> v;
-    v.push_back(std::move(body));
-    return v;
   }
   const std::vector<double>& x() const { return recorder.history()["mass_x"].values; }
   const std::vector<double>& y() const { return recorder.history()["mass_y"].values; }
@@ -149,8 +120,8 @@ TEST(March, RampBalancesItsEnergyToo) {
   EXPECT_LT(Marched(s).worst, 1e-13);
 }
 
-// Amplitude of damped free vibration after time t: exp(-c t / 2); energy all accounted for.
-TEST(March, DampingTakesWhatTheLedgerSays) {
+// Amplitude of damped free vibration after time t: exp(-c t / 2); the energy balance closes.
+TEST(March, DampingIsInTheEnergyBalance) {
   Scene s = scene_for(1.0);
   s.damping = 4.0;
   s.initial_velocities.push_back({0, {1, 0, 0}});

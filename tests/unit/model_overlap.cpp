@@ -1,4 +1,4 @@
-// Which bodies are in each other at the start: points and edges of the one against the boundary of the other,
+// Which bodies overlap at the start: points and edges of the one against the boundary of the other,
 // as displaced.
 
 #include <gmock/gmock.h>
@@ -204,7 +204,7 @@ TEST(Overlap, IsThatOfTheDisplacedBodies) {
   EXPECT_THAT(apart.press(), testing::HasSubstr("the bodies overlap by"));
 }
 
-TEST(Overlap, OfTiedBodiesIsMassTwice) {
+TEST(Overlap, OfTiedBodiesCountsMassTwice) {
   EXPECT_EQ(Pair(true, 0).tie(), "");
   EXPECT_THAT(Pair(true, 0.4).tie(),
               testing::AllOf(testing::HasSubstr("contact \"fit\": the bodies overlap by"),

@@ -1,5 +1,4 @@
-// Principal values: the invariants of the tensor are theirs, they come in order, and equal ones come out
-// equal.
+// Principal values: they have the invariants of the tensor, they are sorted, and equal ones are equal.
 
 #include <gtest/gtest.h>
 

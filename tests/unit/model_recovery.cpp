@@ -1,4 +1,4 @@
-// The rule for reading stress and strain on units made here, and what keeps it within the yield surface.
+// Recovery of stress and strain on units made here, and its limit to the yield surface.
 
 #include <gtest/gtest.h>
 
@@ -43,7 +43,7 @@ std::map<std::size_t, double> by_point(const std::vector<Weight>& weights) {
   return out;
 }
 
-/// A body that is turned as a whole reads the same: nothing in the rule knows the axes.
+/// A body that is turned as a whole has the same recovered values: the rule has no preferred axes.
 TEST(Recovery, TurnsWithTheBody) {
   for (const int dim : {2, 3})
     for (const Point& p : {Point{0, 0, 0}, Point{2.3, 0, 1}, Point{2.6, 2.1, 1.3}}) {
@@ -99,8 +99,8 @@ TEST(Recovery, QuadraticFields) {
   }
 }
 
-/// Nothing of one side of a graded mesh reaches across cells of the other: distances are those of the cells
-/// at p.
+/// On a graded mesh distances are measured in the cells at p: points of small cells do not reach across
+/// larger ones.
 TEST(Recovery, FindsTheNearestUnitByItsOwnMeasure) {
   MaterialUnits units;
   units.dim = 2;

@@ -1,5 +1,5 @@
 #pragma once
-// Two bodies small enough to know every number of: a mesh of two quadrilaterals, and five particles in padded
+// Small bodies whose numbers are known: a mesh of two quadrilaterals, and five particles in padded
 // rows.
 
 #include <cstdlib>
@@ -13,7 +13,7 @@
 
 namespace femsph::test {
 
-/// A discretization that only has what output asks for. Stress of material point m: {1, 2, 3, 4, 5, 6} + 10
+/// A discretization that has only what output needs. Stress of material point m: {1, 2, 3, 4, 5, 6} + 10
 /// m; strain: that / 1000.
 class FakeBody : public Discretization {
  public:
@@ -97,7 +97,7 @@ struct FakeParticles : FakeBody {
   }
 };
 
-/// A folder of its own that is gone after the test.
+/// A temporary folder, removed after the test.
 class Folder {
  public:
   Folder() {

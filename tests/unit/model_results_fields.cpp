@@ -1,5 +1,5 @@
-// What ParaView is told must be there: every HDF5 path that fields.xdmf names exists with the dimensions it
-// states, after every commit. Values are those of the fake bodies, whose numbers are known.
+// What fields.xdmf tells ParaView must exist: every HDF5 path that fields.xdmf names exists with the
+// dimensions it states, after every commit. Values are those of the fake bodies, whose numbers are known.
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -20,8 +20,8 @@ using testing::HasSubstr;
 using testing::Pointwise;
 using testing::ThrowsMessage;
 
-/// Tags open and close in order, and attributes are quoted: enough of well-formed for a document without
-/// comments or CDATA.
+/// Tags open and close in order, and attributes are quoted: well-formed, for a document without comments or
+/// CDATA.
 void expect_well_formed(const std::string& xml) {
   const std::regex tag(R"re(<(/?)([A-Za-z]+)((?: [A-Za-z]+="[^"<]*")*)(/?)>)re");
   const std::string body = xml.substr(xml.find("?>") + 2);
@@ -65,6 +65,16 @@ const FakeBlock block;
 
 void snapshot(FieldWriter& writer, std::size_t number, const FakeBody& body, long step, double time) {
   writer.snapshot(number, step, time, body.field(time).data(), body.field(100 + time).data());
+}
+
+/// A mesh and particles at time 0.
+void write_first_frame(const Folder& folder) {
+  FieldWriter writer(folder.path());
+  writer.add_body("beam", mesh);
+  writer.add_body("grains", particles);
+  snapshot(writer, 0, mesh, 0, 0.0);
+  snapshot(writer, 1, particles, 0, 0.0);
+  writer.commit();
 }
 
 TEST(Fields, EveryCommitLeavesACompleteSet) {
@@ -112,12 +122,7 @@ TEST(Fields, EveryPathInTheXdmfExists) {
 /// of its first point (1 2 3 4 5 6 + 20 e, as xx yy zz xy yz zx) plus 7.5.
 TEST(Fields, ValuesAreThoseOfTheBodies) {
   const Folder folder;
-  FieldWriter writer(folder.path());
-  writer.add_body("beam", mesh);
-  writer.add_body("grains", particles);
-  snapshot(writer, 0, mesh, 0, 0.0);
-  snapshot(writer, 1, particles, 0, 0.0);
-  writer.commit();
+  write_first_frame(folder);
   const std::string data = folder / "fields/000000.h5", bodies = folder / "fields/bodies.h5";
 
   EXPECT_THAT(read_hdf5(bodies, "/body0/cells").values, ElementsAre(0, 1, 4, 3, 1, 2, 5, 4));
@@ -144,12 +149,7 @@ TEST(Fields, ValuesAreThoseOfTheBodies) {
 /// + zx^2)).
 TEST(Fields, EquivalentStressIsVonMises) {
   const Folder folder;
-  FieldWriter writer(folder.path());
-  writer.add_body("beam", mesh);
-  writer.add_body("grains", particles);
-  snapshot(writer, 0, mesh, 0, 0.0);
-  snapshot(writer, 1, particles, 0, 0.0);
-  writer.commit();
+  write_first_frame(folder);
   const auto expected = [](double m) {
     const double xy = 4 + 10 * m, yz = 5 + 10 * m, zx = 6 + 10 * m;
     return std::sqrt(3 + 3 * (xy * xy + yz * yz + zx * zx));
@@ -195,7 +195,7 @@ TEST(Fields, CommittedLaterIsTheSame) {
   for (const std::string& file : at_once.files()) EXPECT_EQ(read(at_once / file), read(later / file)) << file;
 }
 
-TEST(Fields, WhatFailedLaterIsTold) {
+TEST(Fields, ALaterFailureIsReported) {
   const Folder folder;
   FieldWriter writer(folder.path());
   writer.add_body("beam", mesh);
@@ -209,12 +209,12 @@ TEST(Fields, WhatFailedLaterIsTold) {
               ThrowsMessage<std::runtime_error>(HasSubstr("fields/000001.h5: Is a directory")));
   EXPECT_EQ(read(folder / "fields.xdmf"), before);  // the last good state
   std::filesystem::remove(folder / "fields/000001.h5");
-  snapshot(writer, 0, mesh, 2, 0.2);  // takes the place of what was lost
+  snapshot(writer, 0, mesh, 2, 0.2);  // replaces what was lost
   writer.commit();
   EXPECT_EQ(expect_items_exist(folder, read(folder / "fields.xdmf")), 2u * 8u);
 }
 
-TEST(Fields, AnEarlierRunIsGoneAndNothingElse) {
+TEST(Fields, AnEarlierRunIsRemovedAndNothingElse) {
   const Folder folder;
   std::filesystem::create_directory(folder / "fields");
   for (const char* name :
@@ -239,7 +239,7 @@ TEST(Fields, SaysWhatIsInTheWay) {
                   AllOf(HasSubstr(folder / "other/fields/000000.h5"), HasSubstr("Is a directory"))));
 }
 
-TEST(Fields, MisuseIsToldApart) {
+TEST(Fields, MisuseIsReported) {
   const Folder folder;
   FieldWriter writer(folder.path());
   writer.add_body("beam", mesh);

@@ -1,5 +1,5 @@
 #pragma once
-// Reads HDF5 files back with the plain C interface, so that the writer is not its own witness.
+// Reads HDF5 files back with the plain C interface, which the writer does not use.
 
 #include <hdf5.h>
 

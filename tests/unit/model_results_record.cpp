@@ -1,4 +1,4 @@
-// The record parses again and says what went in; prices and progress are what they claim.
+// The record is valid TOML and has what was recorded; costs and progress are measured correctly.
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

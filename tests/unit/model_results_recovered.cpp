@@ -1,5 +1,5 @@
-// Fields by the one rule of reading, beside the raw ones: what is at every node is what a probe would read
-// there, and plastic bodies stay on their yield surface.
+// Recovered fields beside the raw ones: the value at every node is what a probe reads there, and plastic
+// bodies stay on their yield surface.
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

@@ -1,6 +1,6 @@
 // A ball with its own cells: its volume comes near 4/3 pi R^3 with the square of the size, even or drawn to a
 // pole; no corner is folded; cells at the pole are as many times smaller as asked; neighbours share vertices;
-// what its scene may not say.
+// faults of its scene.
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -10,41 +10,19 @@
 #include <map>
 #include <set>
 
-#include "model/scene/reader/reader.hpp"
 #include "model/scene/shapes/ball.hpp"
-#include "model/scene/shapes/multilinear.hpp"
+#include "model_cells_measured.hpp"
 
 namespace femsph {
 namespace {
 
+using test::Measured;
+using test::measured;
 using testing::ElementsAre;
 using testing::HasSubstr;
 using Part = OwnBall::Part;
 
 const double pi = std::acos(-1.0);
-
-Patch patch_of(const CellMesh& mesh, const std::array<int, 8>& cell) {
-  Patch patch{3, {}};
-  for (int v = 0; v < 8; ++v) patch.corners[v] = mesh.vertices[cell[v]];
-  return patch;
-}
-
-struct Measured {
-  double volume = 0,
-         worst = 1e300;  ///< worst: smallest Jacobian over a corner, as a share of the cell's volume
-};
-
-Measured measured(const CellMesh& mesh) {
-  Measured m;
-  for (const auto& cell : mesh.cells) {
-    const Patch patch = patch_of(mesh, cell);
-    const double volume = measure(patch);
-    EXPECT_GT(volume, 0) << "left-handed";
-    m.volume += volume;
-    m.worst = std::min(m.worst, smallest_corner_jacobian(patch) / volume);
-  }
-  return m;
-}
 
 TEST(OwnBallSlow, VolumeComesNearWithTheSquareOfTheSize) {
   for (const Part part : {Part::whole, Part::half, Part::quarter})
@@ -136,20 +114,11 @@ TEST(OwnBall, HoldsItsPoints) {
             "quarter ball of radius 10 mm, 8 times finer at z-");
 }
 
+/// `rest`: lines of the body and tables after it; with a load on a side.
 std::string fault_of(const std::string& rest, bool space = true) {
-  const std::string scene =
-      std::string("[model]\nplane = \"") + (space ? "none" : "strain") +
-      "\"\n[materials.m]\nlaw = \"elastic\"\nyoung = \"1 MPa\"\npoisson = 0.3\ndensity = \"1 kg/m^3\"\n"
-      "[bodies.b]\nmaterial = \"m\"\nshape = \"ball\"\n" +
-      (space ? "centre = [\"0 m\", \"0 m\", \"0 m\"]\n"
-             : "centre = [\"0 m\", \"0 m\"]\nthickness = \"1 m\"\n") +
-      rest + "[[loads]]\nat = \"z+\"\nforce = [\"1 N\", \"0 N\", \"0 N\"]\n[time]\nduration = \"1 s\"\n";
-  try {
-    parse_scene(scene, "ball.toml");
-  } catch (const InputError& e) {
-    return e.faults().at(0).text;
-  }
-  return "";
+  const std::string centre = space ? "centre = [\"0 m\", \"0 m\", \"0 m\"]\n"
+                                   : "centre = [\"0 m\", \"0 m\"]\n";
+  return test::shape_fault("shape = \"ball\"\n" + centre + rest + scene_text::load("z+", "1 0 0 N"), space);
 }
 
 TEST(OwnBall, FaultsOfScenes) {

@@ -1,8 +1,10 @@
-// Faults of meaning: the file is good TOML with known keys, but what it says cannot be.
+// Faults of meaning: the file is valid TOML with known keys, but its values contradict each other or the
+// mesh.
 
 #include <gtest/gtest.h>
 
-#include "model/scene/reader/reader.hpp"
+#include "model_faults.hpp"
+#include "tests/scene_text.hpp"
 
 using namespace femsph;
 
@@ -10,14 +12,8 @@ namespace {
 
 // An L-shaped plate and whatever a test adds to it.
 std::string faults_of(const std::string& addition, const std::string& time = "[time]\nduration = \"1 s\"\n") {
-  const std::string plate = R"(
-[model]
-plane = "strain"
-[materials.steel]
-law = "elastic"
-young = "210 GPa"
-poisson = 0.3
-density = "7850 kg/m^3"
+  using namespace scene_text;
+  const std::string plate = model("strain") + steel() + R"(
 [bodies.plate]
 shape = "mesh"
 file = "l_shape.msh"
@@ -25,14 +21,7 @@ unit = "mm"
 thickness = "1 mm"
 material = "steel"
 )";
-  try {
-    parse_scene(plate + time + addition, FEMSPH_SOURCE_DIR "/tests/scenes/in_memory.toml");
-  } catch (const InputError& e) {
-    std::string all;
-    for (const Fault& fault : e.faults()) all += (all.empty() ? "" : "\n") + fault.text;
-    return all;
-  }
-  return "";
+  return test::faults_of(plate + time + addition, "\n", FEMSPH_SOURCE_DIR "/tests/scenes/in_memory.toml");
 }
 
 const std::string second_body = R"(

@@ -1,4 +1,4 @@
-// A good scene arrives in the program as it was written, in SI.
+// A valid scene is read as it is written, in SI.
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

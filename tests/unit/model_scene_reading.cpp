@@ -1,42 +1,21 @@
-// How a scene says by which rule stress is read.
+// The key "reading": whether stress is recovered or raw.
 
 #include <gtest/gtest.h>
 
 #include "model/scene/reader/reader.hpp"
+#include "tests/scene_text.hpp"
 
 namespace femsph::test {
 namespace {
 
+/// A bar with a probe of `quantity` and a section of stress; `output` is a table, `of_probe` further lines of
+/// the probe.
 std::string scene(const std::string& output, const std::string& of_probe,
                   const std::string& quantity = "stress") {
-  return R"(title = "bar"
-[model]
-plane = "stress"
-[materials.steel]
-law = "elastic"
-young = "210 GPa"
-poisson = 0.3
-density = "7850 kg/m^3"
-[bodies.bar]
-shape = "box"
-size = ["300 mm", "100 mm"]
-thickness = "100 mm"
-material = "steel"
-[[loads]]
-at = "x+"
-force = ["1 kN", "0 N"]
-)" + output +
-         R"([[probes]]
-name = "centre"
-quantity = ")" +
-         quantity + "\"\npoint = [\"150 mm\", \"50 mm\"]\n" + of_probe + R"([[sections]]
-name = "middle"
-quantity = "stress"
-from = ["150 mm", "0 mm"]
-to = ["150 mm", "100 mm"]
-[time]
-duration = "1 ms"
-)";
+  using namespace scene_text;
+  return "title = \"bar\"\n" + model("stress") + steel() + box("bar", "300 100 mm", thick("100 mm")) +
+         load("x+", "1 0 kN") + output + probe("centre", quantity, "150 50 mm", of_probe) +
+         section("middle", "stress", "150 0 mm", "150 100 mm") + scene_text::time("1 ms");
 }
 
 TEST(StressReading, IsTheRuleUnlessSaid) {

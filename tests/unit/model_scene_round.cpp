@@ -9,42 +9,21 @@
 #include <map>
 #include <set>
 
-#include "model/scene/reader/reader.hpp"
-#include "model/scene/shapes/multilinear.hpp"
 #include "model/scene/shapes/quadrilateral.hpp"
 #include "model/scene/shapes/round.hpp"
+#include "model_cells_measured.hpp"
 
 namespace femsph {
 namespace {
 
+using test::Measured;
+using test::measured;
+using test::shape_fault;
 using testing::ElementsAre;
 using testing::HasSubstr;
 using Part = Round::Part;
 
 const double pi = std::acos(-1.0);
-
-Patch patch_of(const CellMesh& mesh, const std::array<int, 8>& cell) {
-  Patch patch{mesh.dim, {}};
-  for (int v = 0; v < patch.corner_count(); ++v) patch.corners[v] = mesh.vertices[cell[v]];
-  return patch;
-}
-
-struct Measured {
-  double volume = 0,
-         worst = 1e300;  ///< worst: smallest Jacobian over a corner, as a share of the cell's volume
-};
-
-Measured measured(const CellMesh& mesh) {
-  Measured m;
-  for (const auto& cell : mesh.cells) {
-    const Patch patch = patch_of(mesh, cell);
-    const double volume = measure(patch);
-    m.volume += volume;
-    m.worst = std::min(m.worst, smallest_corner_jacobian(patch) / volume);
-    EXPECT_GT(volume, 0) << "left-handed";
-  }
-  return m;
-}
 
 std::vector<Round> samples(int dim) {
   std::vector<Round> all;
@@ -128,44 +107,30 @@ TEST(Quadrilateral, CooksMembrane) {
   EXPECT_TRUE(cook.on_side("x-", {0, 30, 0}, 1e-9));
 }
 
-std::string fault_of(const std::string& body, bool space) {
-  const std::string scene =
-      std::string("[model]\nplane = \"") + (space ? "none" : "strain") +
-      "\"\n[materials.m]\nlaw = \"elastic\"\nyoung = \"1 MPa\"\npoisson = 0.3\ndensity = \"1 kg/m^3\"\n"
-      "[bodies.b]\nmaterial = \"m\"\n" +
-      (space ? "" : "thickness = \"1 m\"\n") + body + "[time]\nduration = \"1 s\"\n";
-  try {
-    parse_scene(scene, "round.toml");
-  } catch (const InputError& e) {
-    return e.faults().at(0).text;
-  }
-  return "";
-}
-
 TEST(Round, FaultsOfScenes) {
   const std::string ring = "shape = \"ring\"\ncentre = [\"0 mm\", \"0 mm\"]\n";
-  EXPECT_EQ(fault_of(ring + "inner = \"30 mm\"\nouter = \"40 mm\"\npart = \"quarter\"\n", false), "");
-  EXPECT_EQ(fault_of(ring + "inner = \"40 mm\"\nouter = \"40 mm\"\n", false),
+  EXPECT_EQ(shape_fault(ring + "inner = \"30 mm\"\nouter = \"40 mm\"\npart = \"quarter\"\n", false), "");
+  EXPECT_EQ(shape_fault(ring + "inner = \"40 mm\"\nouter = \"40 mm\"\n", false),
             "\"inner\" is 40 mm, not below \"outer\", 40 mm; expected the smaller radius");
-  EXPECT_EQ(fault_of(ring + "inner = \"30 mm\"\nouter = \"40 mm\"\npart = \"third\"\n", false),
+  EXPECT_EQ(shape_fault(ring + "inner = \"30 mm\"\nouter = \"40 mm\"\npart = \"third\"\n", false),
             "\"part\" is \"third\"; expected \"whole\", \"half\" or \"quarter\"");
-  EXPECT_THAT(fault_of(ring + "outer = \"40 mm\"\n", false), HasSubstr("missing \"inner\""));
+  EXPECT_THAT(shape_fault(ring + "outer = \"40 mm\"\n", false), HasSubstr("missing \"inner\""));
   EXPECT_EQ(
-      fault_of(
+      shape_fault(
           "shape = \"ring\"\ncentre = [\"0 mm\", \"0 mm\", \"0 mm\"]\ninner = \"30 mm\"\nouter = \"40 mm\"\n",
           true),
       "a ring in a three-dimensional scene; expected \"tube\"");
   const std::string cylinder =
       "shape = \"cylinder\"\ncentre = [\"0 mm\", \"0 mm\", \"0 mm\"]\nradius = \"3 mm\"\n";
-  EXPECT_EQ(fault_of(cylinder + "axis = \"y\"\nlength = \"32 mm\"\n", true), "");
-  EXPECT_THAT(fault_of(cylinder + "length = \"32 mm\"\n", true), HasSubstr("missing \"axis\""));
-  EXPECT_THAT(fault_of(cylinder + "axis = \"y\"\nlength = \"0 mm\"\n", true),
+  EXPECT_EQ(shape_fault(cylinder + "axis = \"y\"\nlength = \"32 mm\"\n", true), "");
+  EXPECT_THAT(shape_fault(cylinder + "length = \"32 mm\"\n", true), HasSubstr("missing \"axis\""));
+  EXPECT_THAT(shape_fault(cylinder + "axis = \"y\"\nlength = \"0 mm\"\n", true),
               HasSubstr("expected a length greater than zero"));
   const std::string cook =
       "shape = \"quadrilateral\"\ncorner1 = [\"0 m\", \"0 m\"]\ncorner2 = [\"48 m\", \"44 m\"]\ncorner3 = "
       "[\"48 m\", \"60 m\"]\n";
-  EXPECT_EQ(fault_of(cook + "corner4 = [\"0 m\", \"44 m\"]\n", false), "");
-  EXPECT_EQ(fault_of(cook + "corner4 = [\"60 m\", \"50 m\"]\n", false),
+  EXPECT_EQ(shape_fault(cook + "corner4 = [\"0 m\", \"44 m\"]\n", false), "");
+  EXPECT_EQ(shape_fault(cook + "corner4 = [\"60 m\", \"50 m\"]\n", false),
             "the corners turn the wrong way at \"corner3\"; expected a convex quadrilateral, "
             "counterclockwise from the lower left");
 }
@@ -173,12 +138,13 @@ TEST(Round, FaultsOfScenes) {
 TEST(Pressure, FaultsOfScenes) {
   const std::string ring =
       "shape = \"ring\"\ncentre = [\"0 mm\", \"0 mm\"]\ninner = \"30 mm\"\nouter = \"40 mm\"\n";
-  EXPECT_EQ(fault_of(ring + "[[loads]]\nat = \"inner\"\npressure = \"100 MPa\"\n", false), "");
-  EXPECT_EQ(fault_of(ring + "[[loads]]\nat = \"all\"\npressure = \"100 MPa\"\n", false),
+  EXPECT_EQ(shape_fault(ring + "[[loads]]\nat = \"inner\"\npressure = \"100 MPa\"\n", false), "");
+  EXPECT_EQ(shape_fault(ring + "[[loads]]\nat = \"all\"\npressure = \"100 MPa\"\n", false),
             "\"pressure\" needs one side of a body; expected at = \"x+\" or the like");
-  EXPECT_EQ(fault_of(ring + "[[loads]]\nat = \"inner\"\npressure = \"100 MPa\"\nforce = [\"1 N\", \"0 N\"]\n",
-                     false),
-            "both \"force\" and \"pressure\"; expected one of them");
+  EXPECT_EQ(
+      shape_fault(
+          ring + "[[loads]]\nat = \"inner\"\npressure = \"100 MPa\"\nforce = [\"1 N\", \"0 N\"]\n", false),
+      "both \"force\" and \"pressure\"; expected one of them");
 }
 
 }  // namespace

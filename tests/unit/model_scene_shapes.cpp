@@ -1,4 +1,5 @@
-// Shapes answer for points; meshes arrive from Gmsh with positive cells. The mesh files are drawn by hand:
+// Shapes: points inside, sides. Meshes from Gmsh: cells of positive volume. The mesh files are written by
+// hand:
 //   l_shape.msh    three unit squares of (0,2)^2 without its upper right quarter, one of them clockwise, one
 //   vertex unused; two_hexes.msh  (0,2) x (0,1) x (0,1) sheared by x += z/2, its second cell with the top
 //   below the bottom.
@@ -220,7 +221,7 @@ TEST(GmshSlow, DamagedFilesAreRefusedWithOneSentence) {
       try_to_read(bytes);
     }
   EXPECT_GT(refused, 90);
-  std::string lengths = originals[0];  // a node count that no memory holds
+  std::string lengths = originals[0];  // a number of nodes beyond any memory
   lengths.insert(lengths.find("$Nodes") + 7, "99999999");
   try_to_read(lengths);
 }
@@ -235,7 +236,7 @@ TEST(Gmsh, RefusesWhatIsNoFile) {
   std::remove(pipe.c_str());
 }
 
-// A library that crashes, hangs or asks for all memory takes its child with it and nothing else.
+// A library that crashes, hangs or takes all memory ends the child process alone.
 TEST(Child, HandsBackWhatItMadeOrNothing) {
   std::string result;
   const ChildLimits limits{1, std::size_t(64) << 20};

@@ -1,4 +1,4 @@
-// Quantities at the border of the program. Expected values are the definitions of the units.
+// Quantities as users write them. Expected values are the definitions of the units.
 
 #include <gtest/gtest.h>
 
@@ -72,7 +72,7 @@ TEST(Units, OneNumberAQuantity) {
   EXPECT_DOUBLE_EQ(to_si("5 (1/s)", dimension::rate), 5);
 }
 
-// 2000 pounds to UDUNITS-2, 1000 kg to whoever computes in mm, t and s.
+// A "ton" is 2000 pounds to UDUNITS-2, and 1000 kg to people who compute in mm, t and s.
 TEST(Units, TonsAreRefused) {
   const std::string why =
       " can be read in two ways: \"ton\" is the short ton of 907.18 kg here and 1000 kg elsewhere; expected "
@@ -93,7 +93,7 @@ TEST(Units, FaultsKeepTheTerminalQuiet) {
   EXPECT_EQ(testing::internal::GetCapturedStderr(), "");
 }
 
-// A turn is 2 pi rad. What counts without saying what it counts can be read in two ways.
+// A turn is 2 pi rad. "1/s" can mean radians or turns.
 TEST(Units, ASpinNeedsAnAngle) {
   const double pi = 3.14159265358979323846;
   EXPECT_DOUBLE_EQ(to_si("50 rad/s", dimension::rotation), 50);

@@ -11,6 +11,7 @@
 #include "model/scene/shapes/mesh.hpp"
 #include "model/scene/shapes/round.hpp"
 #include "model/scene/singular.hpp"
+#include "tests/scene_text.hpp"
 
 namespace femsph {
 namespace {
@@ -196,33 +197,12 @@ TEST(Singular, StressInAReentrantCorner) {
 }
 
 TEST(Singular, TheReaderWarnsWithThePlace) {
-  const std::string text = R"(title = "t"
-[model]
-plane = "stress"
-[materials.steel]
-law = "elastic"
-young = "210 GPa"
-poisson = 0.3
-density = "7850 kg/m^3"
-[bodies.beam]
-shape = "box"
-size = ["1 m", "100 mm"]
-thickness = "100 mm"
-material = "steel"
-[[supports]]
-at = "x-"
-fix = ["x", "y"]
-[[loads]]
-at = "x+ y+"
-force = ["0 N", "-25 kN"]
-[time]
-duration = "1 ms"
-[[probes]]
-name = "tip"
-quantity = "displacement"
-point = ["1 m", )";
-  EXPECT_THAT(parse_scene(text + "\"50 mm\"]\n", "s.toml").warnings, IsEmpty());
-  const auto warnings = parse_scene(text + "\"100 mm\"]\n", "s.toml").warnings;
+  using namespace scene_text;
+  const std::string text = "title = \"t\"\n" + clamped_beam("1000 100 mm", "100 mm") +
+                           load("x+ y+", "0 -25 kN") + scene_text::time("1 ms");
+  const auto probe_at = [](const char* point) { return probe("tip", "displacement", point); };
+  EXPECT_THAT(parse_scene(text + probe_at("1000 50 mm"), "s.toml").warnings, IsEmpty());
+  const auto warnings = parse_scene(text + probe_at("1000 100 mm"), "s.toml").warnings;
   ASSERT_THAT(warnings, SizeIs(1));
   EXPECT_THAT(warnings[0], AllOf(StartsWith("s.toml:18:6: a force on a point"),
                                  HasSubstr("for what \"tip\" reads there")));

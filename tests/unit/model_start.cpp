@@ -8,25 +8,21 @@
 
 #include "model/motion/march.hpp"
 #include "model/scene/reader/reader.hpp"
-#include "model/scene/shapes/box.hpp"
+#include "model_faults.hpp"
+#include "model_masses.hpp"
+#include "tests/scene_text.hpp"
 
 namespace femsph {
 namespace {
 
 using testing::HasSubstr;
 
+/// A column 1 m x 6 m (x 1 m), and tables after it.
 std::string text_of(const std::string& addition, bool space) {
-  return std::string("[model]\nplane = \"") + (space ? "none" : "strain") + R"("
-[materials.m]
-law = "elastic"
-young = "17 MPa"
-poisson = 0.45
-density = "1100 kg/m^3"
-[bodies.b]
-shape = "box"
-size = )" +
-         (space ? "[\"1 m\", \"6 m\", \"1 m\"]" : "[\"1 m\", \"6 m\"]\nthickness = \"1 m\"") +
-         "\nmaterial = \"m\"\n[time]\nduration = \"1 s\"\n" + addition;
+  using namespace scene_text;
+  return model(space ? "none" : "strain") + material("m", "elastic", "17 MPa", "0.45", "1100 kg/m^3") +
+         box("b", space ? "1 6 1 m" : "1 6 m", space ? "" : thick("1 m"), "m") + scene_text::time("1 s") +
+         addition;
 }
 
 Scene scene_with(const std::string& addition, bool space = false) {
@@ -34,14 +30,7 @@ Scene scene_with(const std::string& addition, bool space = false) {
 }
 
 std::string faults_of(const std::string& addition, bool space = false) {
-  try {
-    scene_with(addition, space);
-  } catch (const InputError& e) {
-    std::string all;
-    for (const Fault& fault : e.faults()) all += (all.empty() ? "" : "\n") + fault.text;
-    return all;
-  }
-  return "";
+  return test::faults_of(text_of(addition, space), "\n");
 }
 
 void expect_point(const Point& got, const Point& want) {
@@ -120,21 +109,18 @@ TEST(Start, FaultsOfMovedSupports) {
             "[settling] with a support that has a \"velocity\"; expected supports at rest, or no [settling]");
 }
 
-// --- On two masses m and a spring k between them, along x: everything is known.
+// --- On two masses m and a spring k between them, along x: the solution is known.
 
 constexpr double m = 2, k = 800;
 
-class Dumbbell : public Discretization {
+class Dumbbell : public test::FakeBody {
  public:
-  std::string describe() const override { return "two masses"; }
-  const Layout& layout() const override { return layout_; }
+  Dumbbell() {
+    layout_ = {2, 2, 2, 1, 0, 4};
+    points_ = {{0, 0, 0}, {1, 0, 0}};
+  }
   std::span<const double> mass() const override { return mass_; }
-  Point position(std::size_t i) const override { return {double(i), 0, 0}; }
   std::size_t units() const override { return 1; }
-  std::string unit_name() const override { return "element"; }
-  double spacing() const override { return 1; }
-  double wave_speed() const override { return 1; }
-  std::size_t bytes() const override { return 0; }
   void internal_force(const double* u, const double*, double, double* f, double*) override {
     f[0] = k * (u[2] - u[0]), f[2] = -f[0], f[1] = f[3] = 0;
   }
@@ -146,29 +132,29 @@ class Dumbbell : public Discretization {
     return {{place.sides.at(0) == "x+" ? 1u : 0u, 1.0}};
   }
   std::vector<Weight> interpolation(const Point&) const override { return {{0, 1.0}}; }
-  std::vector<Weight> material_interpolation(const Point&) const override { return {}; }
-  std::size_t material_points() const override { return 0; }
-  Point material_position(std::size_t) const override { return {}; }
-  double material_volume(std::size_t) const override { return 0; }
-  void material_state(const double*, std::span<const std::size_t>, MaterialState&) const override {}
-  Topology topology() const override { return {}; }
 
  private:
-  Layout layout_{2, 2, 2, 1, 0, 4};
   std::vector<double> mass_{m, m};
 };
 
 Scene two_masses(double duration) {
-  Scene s;
-  s.materials["m"] = Material{"m", 1, 0, 1};
-  s.bodies.push_back({"body", std::make_shared<Box>(2, Point{}, Point{1, 1, 0}), 1, "m"});
-  s.duration = duration;
+  Scene s = test::scene_of_masses(duration);
   s.samples = 1000000;
   return s;
 }
 
+/// Drawn apart by a tenth of their distance.
+Scene stretched_masses() {
+  Scene s = two_masses(1.0);
+  InitialDisplacement stretch;
+  stretch.gradient[0][0] = 0.1;
+  s.initial_displacements.push_back(stretch);
+  return s;
+}
+
 struct Marched {
-  explicit Marched(const Scene& s, const MarchOptions& options = {}) : march(s, one(), options) {
+  explicit Marched(const Scene& s, const MarchOptions& options = {})
+      : march(s, test::bodies_of(std::make_unique<Dumbbell>()), options) {
     MarchEvents events;
     events.sample = [&](const March& now) {
       const Ledger l = now.ledger();
@@ -176,11 +162,6 @@ struct Marched {
       most = std::max(most, std::abs(l.external) + l.initial);
     };
     march.run(events);
-  }
-  static std::vector<std::unique_ptr<Discretization>> one() {
-    std::vector<std::unique_ptr<Discretization>> v;
-    v.push_back(std::make_unique<Dumbbell>());
-    return v;
   }
   double u(int slot) const { return march.bodies()[0].u[std::size_t(slot)]; }
   March march;
@@ -219,10 +200,7 @@ TEST(Start, MovedSupportFollowsItsHistory) {
 }
 
 TEST(Start, InitialStretchSwingsAndItsEnergyIsCounted) {
-  Scene s = two_masses(1.0);
-  InitialDisplacement stretch;
-  stretch.gradient[0][0] = 0.1;
-  s.initial_displacements.push_back(stretch);
+  Scene s = stretched_masses();
   const Marched r(s);
   const double dt = r.march.dt(), omega = std::sqrt(2 * k / m), discrete = 2 / dt * std::asin(omega * dt / 2);
   EXPECT_NEAR(r.march.ledger().initial, 0.5 * k * 0.01, 1e-12 * k);  // at rest
@@ -236,10 +214,7 @@ TEST(Start, InitialStretchSwingsAndItsEnergyIsCounted) {
 
 // A support holds its place where the stretch has brought it.
 TEST(Start, SupportsHoldTheInitialDisplacement) {
-  Scene s = two_masses(1.0);
-  InitialDisplacement stretch;
-  stretch.gradient[0][0] = 0.1;
-  s.initial_displacements.push_back(stretch);
+  Scene s = stretched_masses();
   s.supports.push_back({Place{0, {"x+"}, {}, {}}, {true, false, false}});
   const Marched r(s);
   const double dt = r.march.dt(), omega = std::sqrt(k / m), discrete = 2 / dt * std::asin(omega * dt / 2);

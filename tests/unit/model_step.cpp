@@ -1,5 +1,5 @@
-// A step that follows the deformation, on one mass and one spring: the ledger and the motion do not notice
-// that the step changes, and the limits hold.
+// A step that follows the deformation, on one mass and one spring: changes of the step disturb neither the
+// energy balance nor the motion, and the limits hold.
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -7,8 +7,7 @@
 #include <cmath>
 
 #include "model/motion/march.hpp"
-#include "model/scene/shapes/box.hpp"
-#include "model_results_fake.hpp"
+#include "model_masses.hpp"
 
 namespace femsph {
 namespace {
@@ -21,16 +20,12 @@ constexpr double mass_of_it = 2.0, omega = 20.0,
 
 /// One point with a slow spring along x and a fast one along y, which stiffens with the square of x if it is
 /// coupled:
-///   U = k/2 x^2 + K/2 y^2 (1 + 3 (x / reach)^2).    It says that it does, coupled or not. reach = 0: it says
-///   nothing.
-class Springs : public test::FakeBody {
+///   U = k/2 x^2 + K/2 y^2 (1 + 3 (x / reach)^2).    stiffening() says so, coupled or not; it says nothing if
+///   reach = 0.
+class Springs : public test::OneMass {
  public:
   Springs(double reach, bool coupled, double viscosity = 0)
-      : mass_(1, mass_of_it), reach_(reach), viscosity_(viscosity), coupled_(coupled) {
-    layout_ = {1, 2, 2, 1, 0, 2};
-    points_ = {{0.5, 0.25, 0}};
-  }
-  std::span<const double> mass() const override { return mass_; }
+      : OneMass(mass_of_it), reach_(reach), viscosity_(viscosity), coupled_(coupled) {}
   void stiffness(const double* x, double* y) const override { y[0] = k * x[0], y[1] = K * x[1]; }
   bool has_viscosity() const override { return viscosity_ > 0; }
   void damping_matrix(const double* x, double* y) const override {
@@ -45,8 +40,6 @@ class Springs : public test::FakeBody {
   Energies energies(const double* u) const override {
     return {0.5 * (k * u[0] * u[0] + K * u[1] * u[1] * ratio(u))};
   }
-  std::vector<Weight> points_of(const Place&) const override { return {{0, 1.0}}; }
-  std::vector<Weight> interpolation(const Point&) const override { return {{0, 1.0}}; }
   void state(Archive& archive) override { archive("passed", passed); }
   std::optional<Stiffening> stiffening(const double* u) const override {
     ++asked;
@@ -59,32 +52,16 @@ class Springs : public test::FakeBody {
  private:
   static constexpr double k = mass_of_it * omega * omega, K = mass_of_it * fast * fast;
   double ratio(const double* u) const { return coupled_ ? 1 + 3 * u[0] * u[0] / (reach_ * reach_) : 1.0; }
-  std::vector<double> mass_;
   double reach_, viscosity_;
   bool coupled_;
 };
 
 /// Starts at 1 m/s along x, and a little along y: x swings to 1 / omega.
-Scene moving(double duration) {
-  Scene s;
-  s.materials["m"] = Material{"m", 1, 0, 1};
-  s.bodies.push_back({"body", std::make_shared<Box>(2, Point{}, Point{1, 1, 0}), 1, "m"});
-  InitialVelocity start;
-  start.velocity = {1, 0.01, 0};
-  s.initial_velocities.push_back(start);
-  s.large_motion = true;
-  s.duration = duration;
-  return s;
-}
+Scene moving(double duration) { return test::flying_masses(duration, {1, 0.01, 0}); }
 
-struct Marching {
+struct Marching : test::Stop {
   Marching(Scene s, std::unique_ptr<Springs> body, MarchOptions options = {})
-      : scene(std::move(s)), spring(body.get()), march(scene, one(std::move(body)), options) {}
-  static std::vector<std::unique_ptr<Discretization>> one(std::unique_ptr<Discretization> body) {
-    std::vector<std::unique_ptr<Discretization>> v;
-    v.push_back(std::move(body));
-    return v;
-  }
+      : scene(std::move(s)), spring(body.get()), march(scene, test::bodies_of(std::move(body)), options) {}
   void run() {
     MarchEvents events;
     events.sample = [&](const March& m) {
@@ -93,20 +70,13 @@ struct Marching {
       u.push_back(m.bodies()[0].u[0]);
       imbalance = std::max(imbalance, std::abs(l.imbalance()));
     };
-    try {
-      march.run(events);
-    } catch (const Stopped& stop) {
-      watch = stop.watch;
-      message = stop.what();
-    }
+    static_cast<test::Stop&>(*this) = test::run_until_stopped(march, events);
   }
   Scene scene;
   const Springs* spring;
   March march;
   std::vector<double> time, u;
   double imbalance = 0;
-  std::optional<Stopped::Watch> watch;
-  std::string message;
 };
 
 constexpr double amplitude = 1 / omega;
@@ -131,7 +101,7 @@ TEST(Step, LedgerClosesToRoundOffThroughEveryChange) {
       EXPECT_LT(r.imbalance, 1e-11) << rate << " "
                                     << viscosity;  // J, of more than 1 J that come and go a hundred times
       EXPECT_NEAR(r.march.time(), 10, r.march.dt());
-      EXPECT_NEAR(r.spring->passed, r.march.time(), 1e-9);  // laws have been told every step's length
+      EXPECT_NEAR(r.spring->passed, r.march.time(), 1e-9);  // laws get the length of every step
     }
 }
 
@@ -181,7 +151,7 @@ TEST(Step, HoldsTheLimitWhereAFixedStepIsStopped) {
   EXPECT_EQ(small.march.step_changes(), 0);
 }
 
-TEST(Step, ThatFallsToNothingIsStopped) {
+TEST(Step, AVanishingOneIsStopped) {
   Marching r(moving(10), std::make_unique<Springs>(amplitude / 200, false));
   r.run();
   ASSERT_EQ(r.watch, Stopped::Watch::step) << r.message;
@@ -214,7 +184,7 @@ TEST(Step, SamplesKeepTheirPace) {
   for (std::size_t i = 1; i + 1 < r.time.size(); ++i) EXPECT_NEAR(r.time[i] - r.time[i - 1], 0.5, 0.01);
 }
 
-// Taken up in the middle of it all, the march goes on to the same bits.
+// A march restored between two changes of the step goes on to the same bits.
 TEST(Step, IsPartOfTheState) {
   const auto scene = [] {
     Scene s = moving(3);

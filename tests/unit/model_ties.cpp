@@ -1,5 +1,5 @@
-// Tied bodies on grids that know nothing but their points: the forces hold G a = 0, and have neither
-// resultant nor moment.
+// Tied bodies on grids of points, masses and cells: the forces keep G a = 0, and have neither resultant nor
+// moment.
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

@@ -1,4 +1,5 @@
-// Each watch of the march on one mass and one spring that goes wrong in one way; and what archives promise.
+// Each watch of the march, on a mass and a spring with one fault; and archives, which save and restore a
+// state.
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -7,8 +8,7 @@
 
 #include "model/motion/march.hpp"
 #include "model/numerics/array.hpp"
-#include "model/scene/shapes/box.hpp"
-#include "model_results_fake.hpp"
+#include "model_masses.hpp"
 
 namespace femsph {
 namespace {
@@ -19,16 +19,12 @@ using testing::HasSubstr;
 constexpr double mass_of_it = 2.0, spring = 800.0;  // the critical step is 2 sqrt(m / k) = 0.1 s
 
 /// m u'' = -k u on one point, with something added.
-class Mass : public test::FakeBody {
+class Mass : public test::OneMass {
  public:
-  Mass() : mass_(1, mass_of_it) {
-    layout_ = {1, 2, 2, 1, 0, 2};
-    points_ = {{0.5, 0.25, 0}};
-  }
-  std::span<const double> mass() const override { return mass_; }
+  Mass() : OneMass(mass_of_it) {}
   void stiffness(const double* x, double* y) const override { y[0] = spring * x[0], y[1] = 0; }
   void internal_force(const double* u, const double* v, double dt, double* f, double*) override {
-    if (!std::isfinite(u[0])) ++calls_after_nonsense;
+    if (!std::isfinite(u[0])) ++calls_after_nan;
     remembered += dt;
     f[0] = -spring * u[0] + added(u[0], v[0]);
     f[1] = 0;
@@ -36,16 +32,11 @@ class Mass : public test::FakeBody {
   Energies energies(const double* u) const override {
     return {0.5 * spring * u[0] * u[0] + added_energy(u[0])};
   }
-  std::vector<Weight> points_of(const Place&) const override { return {{0, 1.0}}; }
-  std::vector<Weight> interpolation(const Point&) const override { return {{0, 1.0}}; }
   void state(Archive& archive) override { archive("remembered", remembered); }
   virtual double added(double, double) const { return 0; }
   virtual double added_energy(double) const { return 0; }
   double remembered = 0;
-  int calls_after_nonsense = 0;
-
- private:
-  std::vector<double> mass_;
+  int calls_after_nan = 0;
 };
 
 /// Half as stiff again beyond u = 0.01 m: the critical step there is 0.0816 s.
@@ -55,7 +46,7 @@ class Stiffens : public Mass {
   double added_energy(double u) const override { return 0.25 * spring * beyond(u) * beyond(u); }
 };
 
-/// A force along the velocity, which no energy accounts for: amplitude grows as exp(c t / 2 m).
+/// A force along the velocity, which is in no energy: amplitude grows as exp(c t / 2 m).
 class Pushes : public Mass {
   double added(double, double v) const override { return 0.05 * mass_of_it * v; }
 };
@@ -68,41 +59,19 @@ class TurnsInsideOut : public Mass {
   }
 };
 
-Scene moving(double duration) {
-  Scene s;
-  s.materials["m"] = Material{"m", 1, 0, 1};
-  s.bodies.push_back({"body", std::make_shared<Box>(2, Point{}, Point{1, 1, 0}), 1, "m"});
-  InitialVelocity start;
-  start.velocity = {1, 0, 0};
-  s.initial_velocities.push_back(start);
-  s.large_motion = true;
-  s.duration = duration;
-  return s;
-}
+Scene moving(double duration) { return test::flying_masses(duration, {1, 0, 0}); }
 
-struct Marching {
+struct Marching : test::Stop {
   Marching(Scene s, std::unique_ptr<Discretization> body, MarchOptions options = {})
-      : scene(std::move(s)), march(scene, one(std::move(body)), options) {
+      : scene(std::move(s)), march(scene, test::bodies_of(std::move(body)), options) {
     march.keep_good_states();
     MarchEvents events;
     events.between = [&](March& m) { u.push_back(m.bodies()[0].u[0]); };
-    try {
-      march.run(events);
-    } catch (const Stopped& stop) {
-      watch = stop.watch;
-      message = stop.what();
-    }
-  }
-  static std::vector<std::unique_ptr<Discretization>> one(std::unique_ptr<Discretization> body) {
-    std::vector<std::unique_ptr<Discretization>> v;
-    v.push_back(std::move(body));
-    return v;
+    static_cast<test::Stop&>(*this) = test::run_until_stopped(march, events);
   }
   Scene scene;
   March march;
   std::vector<double> u;  ///< after each step
-  std::optional<Stopped::Watch> watch;
-  std::string message;
 };
 
 TEST(Watch, LeavesASoundMarchAlone) {

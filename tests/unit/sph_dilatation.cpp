@@ -141,8 +141,8 @@ TEST(MeanDilatation, IsTakenWhereTheVolumeIsKept) {
   };
   using enum sph::Dilatation;
   EXPECT_EQ(memory(strain, 0.3, false, automatic), memory(strain, 0.3, false, local));
-  EXPECT_LT(memory(strain, 0.3, false, local),
-            memory(strain, 0.3, false, mean));  // what is not asked for holds nothing
+  EXPECT_LT(
+      memory(strain, 0.3, false, local), memory(strain, 0.3, false, mean));  // no memory for what is off
   EXPECT_EQ(memory(strain, 0.45, false, automatic), memory(strain, 0.45, false, mean));
   EXPECT_EQ(memory(strain, 0.3, true, automatic), memory(strain, 0.3, true, mean));
   EXPECT_EQ(memory(stress, 0.49, true, automatic), memory(stress, 0.49, true, local));
@@ -203,7 +203,7 @@ TEST(MeanDilatation, PressureOfANearlyIncompressibleRing) {
   EXPECT_LT(coarse, 0.05);
   EXPECT_LT(fine, 0.5 * coarse);
   EXPECT_GT(pressure_error(sph::Dilatation::local, 8),
-            1.0);  // what it cures: several times the load, alternating
+            1.0);  // without it: several times the load, alternating
 }
 
 }  // namespace

@@ -97,8 +97,8 @@ TEST(Viscosity, TakesEnergyAndKeepsBothMomenta) {
 }
 
 // Twenty small steps of one uniform stretching, then of a quarter turn: the updated neighbours must see the
-// same stress as the initial ones while motion is small (to the size of the strain, 1e-4), and nothing new
-// through the turn inside the body.
+// same stress as the initial ones while motion is small (to the size of the strain, 1e-4), and the turn must
+// add no stress inside the body.
 TEST(UpdatedLagrangian, AgreesWithInitialNeighboursWhileMotionIsSmall) {
   Scene scene = box_scene(Plane::stress, {0.21, 0.13, 0});
   const sph::Options options = classic(0.01, sph::MassRule::full);

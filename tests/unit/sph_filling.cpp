@@ -1,6 +1,6 @@
-// What a filling must keep of a body, whatever its shape and the spacing: its volume and its first moment
-// (sums of V and V x over the particles); the area and the turn of its sides (sums of area vectors and of
-// their moments); and a support on a curved side must hold the layer that the side cuts.
+// Particles that fill a body of any shape, at any spacing, have its volume and first moment (sums of V and V
+// x); their sides have its area vectors and moments; and a support on a slanted or curved side holds the
+// layer that the side cuts.
 
 #include <gtest/gtest.h>
 
@@ -102,7 +102,7 @@ void expect_weight(const Case& c, double spacing, bool fitted) {
   }
 }
 
-TEST(FillingSlow, ParticlesWeighWhatTheBodyWeighsAndBalanceWhereItDoes) {
+TEST(FillingSlow, MassAndCentreAreThoseOfTheBody) {
   for (const Case& c : plane_cases())
     for (const double spacing : {0.2, 0.13, 0.07})
       for (const bool fitted : {true, false}) expect_weight(c, spacing, fitted);
@@ -157,7 +157,7 @@ TEST(Filling, ABoxIsFilledToTheLastBit) {
   }
 }
 
-// The centres that shapes tell of themselves are those of their own cells, which leave out the segments
+// The centres that shapes state are those of their cells, which leave out the segments
 // between chords and arcs: less than 1 - sin x / x of the area, with x half the angle of a sector.
 TEST(FillingSlow, CentroidsAreThoseOfTheCells) {
   using Part = Round::Part;
@@ -272,8 +272,8 @@ TEST(Filling, CutMeshesConform) {
   EXPECT_EQ(cut->vertices.size(), 9u * 5 * 5);
 }
 
-// Where cells are too uneven for one smoothing length the particles stand on a lattice, and the user is told.
-TEST(Filling, UnevenMeshesAreFilledByALatticeThatSaysSo) {
+// Where cells are too uneven for one smoothing length, the particles are those of a lattice, with a warning.
+TEST(Filling, UnevenMeshesAreFilledByALatticeWithAWarning) {
   const auto even = sph::discretize(scene_of(strip(8, 4, 0)), 0, corrected(0.1)),
              uneven = sph::discretize(scene_of(strip(8, 4, 0, 0.9)), 0, corrected(0.1));
   EXPECT_TRUE(even->warnings().empty());

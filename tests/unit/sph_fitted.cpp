@@ -1,5 +1,5 @@
-// Particles that follow round and slanted sides: true mass, exact linear fields, a boundary that is the side,
-// mirror images that make a quarter the whole; and a pressed ring against Lame.
+// Particles that follow round and slanted sides: exact mass, exact linear fields, boundary particles on the
+// side, a quarter between symmetry planes equal to the whole; and a ring under pressure against Lame.
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -61,11 +61,7 @@ TEST(Fitted, LinearFieldsAreExact) {
     const auto d = sph::discretize(s, 0, options(0.03));
     const auto u = linear_vector(*d, A);
     force(*d, u);
-    std::vector<std::size_t> all(d->material_points());
-    std::iota(all.begin(), all.end(), std::size_t(0));
-    MaterialState state;
-    d->material_state(u.data(), all, state);
-    for (const auto& e : state.strain) {
+    for (const auto& e : state_of(*d, u).strain) {
       EXPECT_NEAR(e[0], 1e-3, 1e-14);
       EXPECT_NEAR(e[1], -1e-3, 1e-14);
       EXPECT_NEAR(e[3], 0.75e-3, 1e-14);
@@ -80,31 +76,12 @@ TEST(Fitted, AQuarterIsTheWhole) {
   for (const char* side : {"x-", "y-"}) quarter.symmetries.push_back({Place{0, {side}, {}, {}}});
   // The whole's spacing is that of its bounding box, twice as long: the same cells.
   sph::Options plain = options(0.02);
-  plain.projection = false;  // what is iterated agrees less well: Projection.AQuarterIsTheWhole
+  plain.projection = false;  // iterations agree less well: Projection.AQuarterIsTheWhole
   const auto whole = sph::discretize(scene_of(ring(Round::Part::whole), Plane::strain), 0, plain),
              part = sph::discretize(quarter, 0, plain);
   EXPECT_NEAR(4 * std::accumulate(part->mass().begin(), part->mass().end(), 0.0),
               std::accumulate(whole->mass().begin(), whole->mass().end(), 0.0), 1e-9);
-  const auto field = [](const Discretization& d) {  // even across both planes
-    AlignedVector<double> u(d.layout().size, 0.0);
-    for (std::size_t i = 0; i < d.layout().points; ++i) {
-      const Point x = d.position(i);
-      u[d.layout().at(i, 0)] = 1e-3 * x[0] * (1 + 30 * x[1] * x[1]),
-                         u[d.layout().at(i, 1)] = -2e-3 * x[1] * std::cos(9 * x[0]);
-    }
-    return u;
-  };
-  const auto f = force(*whole, field(*whole)), g = force(*part, field(*part));
-  for (std::size_t i = 0; i < part->layout().points; ++i) {
-    const Point x = part->position(i);
-    std::size_t twin = 0;
-    for (std::size_t j = 0; j < whole->layout().points; ++j)
-      if (std::hypot(whole->position(j)[0] - x[0], whole->position(j)[1] - x[1]) < 1e-9) twin = j;
-    for (int c = 0; c < 2; ++c)
-      EXPECT_NEAR(
-          g[part->layout().at(i, c)] / part->mass()[i], f[whole->layout().at(twin, c)] / whole->mass()[twin],
-          1e-9 * largest(f) / whole->mass()[twin]);
-  }
+  expect_same_accelerations(*part, *whole, 1e-9);
 }
 
 // Lame: u(a) = p a (1 + nu)/E ((1 - 2 nu) a^2 + b^2)/(b^2 - a^2).
@@ -136,7 +113,7 @@ TEST(Fitted, ABallHasItsMassAndOneSmoothingLength) {
   const double exact = 7850 * ball(1)->measure();
   for (const double spacing : {0.002, 0.001}) {
     sph::Options o = options(spacing);
-    o.projection = false;  // changes no mass, and takes its time
+    o.projection = false;  // changes no mass, and is slow
     const auto d = sph::discretize(scene_of(ball(1), Plane::none), 0, o);
     EXPECT_NEAR(std::accumulate(d->mass().begin(), d->mass().end(), 0.0), exact, 1e-12 * exact);
   }

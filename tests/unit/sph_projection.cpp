@@ -1,18 +1,14 @@
 // Corrected SPH on scattered particles: a uniform stress is in balance with the tractions on the sides, to
-// round-off; what the weights give up for that is nothing else: linear fields, momenta and energy stay exact.
+// round-off; linear fields, momenta and energy stay exact.
 
 #include <gtest/gtest.h>
-
-#include <numeric>
 
 #include "model/numerics/vectors.hpp"
 #include "model/scene/shapes/ball.hpp"
 #include "model/scene/shapes/box.hpp"
-#include "model/scene/shapes/disc.hpp"
-#include "model/scene/shapes/mesh.hpp"
 #include "model/scene/shapes/quadrilateral.hpp"
 #include "model/scene/shapes/round.hpp"
-#include "sph_support.hpp"
+#include "sph_projection_support.hpp"
 
 namespace femsph::test {
 namespace {
@@ -20,14 +16,7 @@ namespace {
 // Stress of `slope`: sigma = 2 mu e + lambda tr(e) I, the law's own numbers.
 constexpr double slope[3][3] = {{3e-4, 1e-4, -2e-4}, {-2e-5, 5e-4, 6e-5}, {1e-4, -7e-5, -4e-4}};
 
-struct Body {
-  const char* name;
-  std::shared_ptr<const Shape> shape;
-  double spacing, smoothing = 1, jitter = 0;
-  std::vector<const char*> planes{};
-};
-
-std::vector<Body> bodies() {
+std::vector<ScatteredBody> bodies() {
   using Part = Round::Part;
   const auto round = [](int dim, double inner, Part part) {
     return std::make_shared<Round>(dim, Round::Size{{}, inner, 0.1, dim == 3 ? 0.1 : 0, 2, part});
@@ -48,14 +37,7 @@ std::vector<Body> bodies() {
       {"quarter of a cylinder", round(3, 0, Part::quarter), 0.025, 1, 0, {"x-", "y-", "z-"}}};
 }
 
-Scene scene_of(const Body& b, bool large = false) {
-  Scene s = box_scene(b.shape->dim() == 2 ? Plane::strain : Plane::none, {1, 1, 1}, large);
-  s.bodies[0].shape = b.shape;
-  s.bodies[0].thickness = b.shape->dim() == 2 ? 0.5 : 1;
-  for (const char* side : b.planes) s.symmetries.push_back({Place{0, {side}, {}, {}, {}}});
-  return s;
-}
-std::unique_ptr<Discretization> particles_of(const Body& b, bool projection, bool large = false) {
+std::unique_ptr<Discretization> particles_of(const ScatteredBody& b, bool projection, bool large = false) {
   sph::Options o = corrected(b.spacing, b.smoothing);
   o.jitter = b.jitter, o.projection = projection;
   return sph::discretize(scene_of(b, large), 0, o);
@@ -63,7 +45,7 @@ std::unique_ptr<Discretization> particles_of(const Body& b, bool projection, boo
 
 /// Largest |f + t sigma a| over the largest |t sigma a|, without what symmetry planes hold: a are the
 /// corners' shares of the sides.
-double imbalance(const Body& b, const Discretization& d, const AlignedVector<double>& f,
+double imbalance(const ScatteredBody& b, const Discretization& d, const AlignedVector<double>& f,
                  const double (&sigma)[3][3], double thickness) {
   std::vector<Point> area(d.layout().points, Point{});
   const bool named_all = dynamic_cast<const Quadrilateral*>(
@@ -93,7 +75,7 @@ double imbalance(const Body& b, const Discretization& d, const AlignedVector<dou
 }
 
 /// A linear field that symmetry planes allow, and its stress.
-double imbalance_of(const Body& b, bool projection) {
+double imbalance_of(const ScatteredBody& b, bool projection) {
   const auto d = particles_of(b, projection);
   const int dim = d->layout().dim;
   double A[3][3] = {}, sigma[3][3] = {}, trace = 0;
@@ -110,16 +92,16 @@ double imbalance_of(const Body& b, bool projection) {
 }
 
 TEST(Projection, UniformStressBalancesItsTractions) {
-  for (const Body& b : bodies()) {
+  for (const ScatteredBody& b : bodies()) {
     EXPECT_LT(imbalance_of(b, true), 1e-11) << b.name;
     EXPECT_GT(imbalance_of(b, false), 0.01) << b.name;
   }
 }
 
-// A ring of one smooth block is near balance as it comes; its displacements are better so, and it stays as it
-// is.
+// A ring of one smooth block is near balance without projection, and its displacements are more accurate
+// without it: it is not projected.
 TEST(Projection, NotWhereTheRowsAreNearBalance) {
-  const Body ring{
+  const ScatteredBody ring{
       "ring", std::make_shared<Round>(2, Round::Size{{}, 0.05, 0.1, 0, 2, Round::Part::whole}), 0.0125};
   const double as_it_comes = imbalance_of(ring, false);
   EXPECT_LT(as_it_comes, 0.05);
@@ -128,7 +110,7 @@ TEST(Projection, NotWhereTheRowsAreNearBalance) {
 
 // f = -K u, K symmetric, and u . K u / 2 is the energy: of strain and of hourglass control.
 TEST(Projection, ForceIsTheSlopeOfTheEnergy) {
-  for (const Body& b : bodies()) {
+  for (const ScatteredBody& b : bodies()) {
     const auto d = particles_of(b, true);
     auto x = random_vector(*d, 1), y = random_vector(*d, 2);
     for (std::size_t i = 0; i < d->layout().points; ++i)  // symmetry planes hold what is across them
@@ -144,18 +126,14 @@ TEST(Projection, ForceIsTheSlopeOfTheEnergy) {
   }
 }
 
-// Of a linear field the strain is exact, and hourglass control holds nothing.
+// Of a linear field the strain is exact, and hourglass control stores no energy.
 TEST(Projection, LinearFieldsStayExact) {
-  for (const Body& b : bodies()) {
+  for (const ScatteredBody& b : bodies()) {
     if (!b.planes.empty()) continue;
     const auto d = particles_of(b, true);
     const auto u = linear_vector(*d, slope);
     force(*d, u);
-    std::vector<std::size_t> all(d->material_points());
-    std::iota(all.begin(), all.end(), std::size_t(0));
-    MaterialState state;
-    d->material_state(u.data(), all, state);
-    for (const auto& strain : state.strain) {
+    for (const auto& strain : state_of(*d, u).strain) {
       EXPECT_NEAR(strain[0], slope[0][0], 1e-15) << b.name;
       EXPECT_NEAR(strain[1], slope[1][1], 1e-15) << b.name;
       EXPECT_NEAR(strain[3], 0.5 * (slope[0][1] + slope[1][0]), 1e-15) << b.name;
@@ -166,7 +144,7 @@ TEST(Projection, LinearFieldsStayExact) {
 
 TEST(Projection, MomentaAreKept) {
   for (const bool large : {false, true})
-    for (const Body& b : bodies()) {
+    for (const ScatteredBody& b : bodies()) {
       if (!b.planes.empty()) continue;
       const auto d = particles_of(b, true, large);
       const auto u = random_vector(*d, 3);
@@ -195,32 +173,15 @@ TEST(Projection, AQuarterIsTheWhole) {
   const auto disc = [](Round::Part part) {
     return std::make_shared<Round>(2, Round::Size{{}, 0, 0.1, 0, 2, part});
   };
-  const Body part{"quarter", disc(Round::Part::quarter), 0.0125, 1, 0, {"x-", "y-"}},
+  const ScatteredBody part{"quarter", disc(Round::Part::quarter), 0.0125, 1, 0, {"x-", "y-"}},
       all{"whole", disc(Round::Part::whole), 0.0125};
   const auto p = particles_of(part, true), w = particles_of(all, true);
-  const auto field = [](const Discretization& d) {  // even across both planes
-    AlignedVector<double> u(d.layout().size, 0.0);
-    for (std::size_t i = 0; i < d.layout().points; ++i) {
-      const Point x = d.position(i);
-      u[d.layout().at(i, 0)] = 1e-3 * x[0] * (1 + 30 * x[1] * x[1]),
-                         u[d.layout().at(i, 1)] = -2e-3 * x[1] * std::cos(9 * x[0]);
-    }
-    return u;
-  };
-  const auto f = force(*w, field(*w)), g = force(*p, field(*p));
-  for (std::size_t i = 0; i < p->layout().points; ++i) {
-    const Point x = p->position(i);
-    std::size_t twin = 0;
-    for (std::size_t j = 0; j < w->layout().points; ++j)
-      if (norm(w->position(j) - x) < 1e-9) twin = j;
-    for (int c = 0; c < 2; ++c)
-      EXPECT_NEAR(g[p->layout().at(i, c)] / p->mass()[i], f[w->layout().at(twin, c)] / w->mass()[twin],
-                  1e-6 * largest(f) / w->mass()[twin]);
-  }
+  expect_same_accelerations(*p, *w, 1e-6);
 }
 
 TEST(Projection, ThreadsDoNotChangeABit) {
-  const Body b{"disc", std::make_shared<Round>(2, Round::Size{{}, 0, 0.1, 0, 2, Round::Part::whole}), 0.0021};
+  const ScatteredBody b{
+      "disc", std::make_shared<Round>(2, Round::Size{{}, 0, 0.1, 0, 2, Round::Part::whole}), 0.0021};
   AlignedVector<double> f[2];
   for (int t = 0; t < 2; ++t) {
     set_threads(t + 1);
@@ -232,115 +193,13 @@ TEST(Projection, ThreadsDoNotChangeABit) {
   EXPECT_EQ(f[0], f[1]);
 }
 
-// A lattice, and what the options switch off, is as it was; a body that sides cut is not projected either.
+// A lattice is not projected: with the option and without it the forces are the same.
 TEST(Projection, OnlyScatteredParticlesAreProjected) {
-  const Body box{"box", std::make_shared<Box>(2, Point{}, Point{0.4, 0.1, 0}), 0.0125};
+  const ScatteredBody box{"box", std::make_shared<Box>(2, Point{}, Point{0.4, 0.1, 0}), 0.0125};
   const auto on = particles_of(box, true), off = particles_of(box, false);
   const auto u = random_vector(*on, 7);
   EXPECT_EQ(force(*on, u), force(*off, u));
   EXPECT_EQ(on->bytes(), off->bytes());
-}
-
-/// Its free sides are those that have the ball's radius.
-std::shared_ptr<MeshShape> mesh_of_a_ball() {
-  CellMesh mesh = OwnBall({{}, 0.1, 2, Round::Part::whole, 1}).mesh({6, 6, 6});
-  mesh.groups = {"skin"};
-  for (const auto& cell : mesh.cells)
-    for (int a = 0; a < 3; ++a)
-      for (int s = 0; s < 2; ++s) {
-        std::vector<int> corners;
-        for (int v = 0; v < 8; ++v)
-          if ((v >> a & 1) == s) corners.push_back(cell[std::size_t(v)]);
-        if (std::all_of(corners.begin(), corners.end(),
-                        [&](int v) { return std::abs(norm(mesh.vertices[std::size_t(v)]) - 0.1) < 1e-9; }))
-          mesh.facets.push_back({{corners[0], corners[1], corners[2], corners[3]}, 0});
-      }
-  return std::make_shared<MeshShape>(mesh, "ball");
-}
-
-// Under one pressure all around a body that its lattice fills in steps holds the uniform stress exactly; the
-// force and the moment of all its sides are zero.
-TEST(Projection, SidesThatCutALatticeHoldAUniformStress) {
-  const double turn = 0.4;
-  const auto turned = [&](double x, double y) {
-    return Point{x * std::cos(turn) - y * std::sin(turn), x * std::sin(turn) + y * std::cos(turn), 0};
-  };
-  const std::array<Point, 4> corners{turned(0, 0), turned(0.2, 0), turned(0.2, 0.1), turned(0, 0.1)};
-  const auto round = [](int dim, double inner) {
-    return std::make_shared<Round>(
-        dim, Round::Size{{}, inner, 0.1, dim == 3 ? 0.1 : 0, 2, Round::Part::whole});
-  };
-  const std::vector<Body> bodies{
-      {"disc", round(2, 0), 0.011},
-      {"ring", round(2, 0.05), 0.0085},
-      {"half ring", std::make_shared<Round>(2, Round::Size{{}, 0.05, 0.1, 0, 2, Round::Part::half}), 0.0085},
-      {"disc without cells", std::make_shared<Ball>(2, Point{}, 0.1), 0.011},
-      {"sphere without cells", std::make_shared<Ball>(3, Point{}, 0.1), 0.025},
-      {"turned box", std::make_shared<Quadrilateral>(corners), 0.0125},
-      {"cylinder", round(3, 0), 0.02},
-      {"mesh of a ball", mesh_of_a_ball(), 0.021}};
-  for (const Body& b : bodies) {
-    sph::Options o = corrected(b.spacing);
-    o.fitted = false;
-    const Scene scene = scene_of(b);
-    const auto d = sph::discretize(scene, 0, o);
-    const double e[3][3] = {{1e-4, 0, 0}, {0, 1e-4, 0}, {0, 0, d->layout().dim == 3 ? 1e-4 : 0}};
-    const auto law = std::get<LinearElastic>(scene.material_of(scene.bodies[0]).law(scene.plane));
-    const double p = 2 * law.mu * 1e-4 + law.lambda * 1e-4 * d->layout().dim;
-    const double sigma[3][3] = {{p, 0, 0}, {0, p, 0}, {0, 0, p}};
-    std::vector<std::string> sides = b.shape->sides();
-    std::erase_if(sides, [&](const std::string& side) {
-      return b.shape->names_whole_boundary() ? side.size() == 2 : false;
-    });
-    std::vector<Point> area(d->layout().points, Point{});
-    Point all{};
-    std::vector<Place> places;
-    for (const std::string& side : sides) places.push_back({0, {side}, {}, {}, {}});
-    if (b.shape->touches_sides_in_points()) places = {Place{0, {}, {}, {}, {}}};  // "all"
-    for (const Place& place : places)
-      for (const PointArea& part : d->outward_areas(place))
-        area[part.point] = area[part.point] + part.area, all = all + part.area;
-    const auto f = force(*d, linear_vector(*d, e));
-    double most = 0, off = 0;
-    for (std::size_t i = 0; i < area.size(); ++i)
-      for (int c = 0; c < d->layout().dim; ++c) {
-        const double load = scene.bodies[0].thickness * sigma[c][c] * area[i][std::size_t(c)];
-        most = std::max(most, std::abs(load)), off = std::max(off, std::abs(load + f[d->layout().at(i, c)]));
-      }
-    EXPECT_LT(off, 1e-10 * most) << b.name;
-    EXPECT_LT(norm(all), 1e-12) << b.name;
-  }
-}
-
-// With symmetry planes as well: they are no sides, and what acts is a quarter of the whole.
-TEST(Projection, SidesThatCutALatticeBesideSymmetryPlanes) {
-  Body b{"quarter of a disc",
-         std::make_shared<Round>(2, Round::Size{{}, 0, 0.1, 0, 2, Round::Part::quarter}),
-         0.011,
-         1,
-         0,
-         {"x-", "y-"}};
-  sph::Options o = corrected(b.spacing);
-  o.fitted = false;
-  const auto d = sph::discretize(scene_of(b), 0, o);
-  std::vector<Point> area(d->layout().points, Point{});
-  Point all{};
-  for (const PointArea& part : d->outward_areas({0, {"outer"}, {}, {}, {}}))
-    area[part.point] = area[part.point] + part.area, all = all + part.area;
-  EXPECT_NEAR(all[0], 0.1,
-              1e-3);  // R, the integral of cos, but for what the planes bear: across them particles are held
-  EXPECT_NEAR(all[1], 0.1, 1e-3);
-  for (const Point& a : area) EXPECT_LT(norm(a), 2 * b.spacing);
-  const double e[3][3] = {{1e-4, 0, 0}, {0, 1e-4, 0}, {0, 0, 0}};
-  const Scene scene = scene_of(b);
-  const auto law = std::get<LinearElastic>(scene.material_of(scene.bodies[0]).law(scene.plane));
-  const double p = (2 * law.mu + 2 * law.lambda) * 1e-4, thickness = scene.bodies[0].thickness;
-  const auto f = force(*d, linear_vector(*d, e));
-  for (std::size_t i = 0; i < area.size(); ++i)
-    for (int c = 0; c < 2; ++c)
-      if (d->position(i)[std::size_t(c)] > 1e-9)
-        EXPECT_NEAR(f[d->layout().at(i, c)], -p * thickness * area[i][std::size_t(c)],
-                    1e-9 * p * thickness * b.spacing);
 }
 
 }  // namespace

@@ -1,10 +1,11 @@
-// The one rule for reading stress (model/results/recovery.hpp), on particles.
+// Recovered stress, the rule by which all methods are read (model/results/recovery.hpp), on particles.
 
 #include <gtest/gtest.h>
 
 #include "model/scene/shapes/box.hpp"
+#include "recovery_elastic.hpp"
+#include "recovery_plastic.hpp"
 #include "sph/sph.hpp"
-#include "tests/unit/recovery_cases.hpp"
 
 namespace femsph::test {
 namespace {
@@ -18,7 +19,7 @@ std::unique_ptr<Discretization> particles_of(const Scene& scene, double spacing,
   return sph::discretize(scene, 0, options);
 }
 
-/// Of the places where the particles' strains belong: the surface layer's lie half a spacing inside.
+/// Exact for strains at the places they belong to, which for the surface layer lie half a spacing inside.
 void expect_linear_exact(const Discretization& d, const std::vector<Point>& places) {
   const MaterialUnits units = d.material_units();
   const Recovery rule(units);
@@ -139,20 +140,9 @@ TEST(SphRecovery, SmoothWave) {
         const auto d = particles_of(
             recovery_scene(std::make_shared<Box>(2, Point{}, Point{4, 1, 0}), Plane::stress), 1.0 / ny,
             jitter);
-        const auto phase = [](const Point& x) { return 2 * x[0] + x[1] + 0.3; };
-        const Flat u = flat_field(*d, [&](const Point& x) {
-          return Point{std::sin(phase(x)), 0.5 * std::sin(phase(x)), 0};
-        });
-        const Recovery rule(d->material_units());
-        double e = 0, raw = 0, size = 0;
-        for (int i = 0; i <= 40; ++i) {
-          const Point p{i / 10.0, inside ? 0.47 : 0.0, 0};
-          const double exact = E / (1 - nu * nu) * (2 + nu * 0.5) * std::cos(phase(p));
-          e += std::pow(read_at(*d, rule, u, p, Plane::stress).stress[0] - exact, 2),
-              raw += std::pow(raw_at(*d, u, p)[0] - exact, 2), size += exact * exact;
-        }
-        EXPECT_LT(e, 0.6 * raw);
-        return 100 * std::sqrt(e / size);
+        const WaveErrors e = wave_of(*d, inside);
+        EXPECT_LT(e.of_raw, 0.6);
+        return e.percent;
       };
       const double coarse = error(8), fine = error(16);
       EXPECT_LT(
@@ -168,22 +158,7 @@ TEST(SphRecovery, SmoothWave) {
 /// and at the loaded end it is what is applied.
 TEST(SphRecovery, ClampedCornerAndLoadedEnd) {
   const auto read = [](int ny, const Point& p) {
-    const auto d = particles_of(
-        recovery_scene(std::make_shared<Box>(2, Point{0, -0.5, 0}, Point{2, 1, 0}), Plane::stress), 1.0 / ny,
-        0, 0.05);
-    const auto given = [&](const Point& x) {
-      std::array<std::optional<double>, 3> u{};
-      if (x[0] < 1e-12) u[0] = u[1] = 0;
-      return u;
-    };
-    const Flat u = static_solution(
-        *d, given,
-        traction(
-            *d, [](const Point& x) { return x[0] > 2 - 1e-9; },
-            [](const Point&) {
-              return Point{1, 0, 0};
-            }));
-    return read_at(*d, Recovery(d->material_units()), u, p, Plane::stress).stress[0];
+    return pulled_stress(*particles_of(pulled_scene(), 1.0 / ny, 0, 0.05), p);
   };
   const double ratio = read(32, {0, 0.5, 0}) / read(16, {0, 0.5, 0});
   EXPECT_GT(ratio, 1.1);
@@ -191,7 +166,7 @@ TEST(SphRecovery, ClampedCornerAndLoadedEnd) {
   EXPECT_NEAR(read(8, {2, 0.1, 0}), 1, 0.005);
 }
 
-/// Ideally plastic, and hardening: nothing that is read lies above the yield curve, not by round-off.
+/// Ideally plastic, and hardening: no recovered stress lies above the yield curve, to round-off.
 TEST(SphRecovery, PlasticBendingStaysOnTheYieldCurve) {
   for (const int ny : {2, 4, 8, 16}) {
     const PlasticErrors e = plastic_section_of(*particles_of(plastic_scene(), 1.0 / ny));
@@ -216,18 +191,8 @@ TEST(SphRecovery, BendingInSpace) {
   }
 }
 
-/// Also in large motion, where laws speak of Kirchhoff's stress and the state of Cauchy's.
 TEST(SphRecovery, PointsKeepToTheirBounds) {
-  for (const int dim : {2, 3})
-    for (const bool large : {false, true})
-      for (const auto& [name, law] : plastic_laws()) {
-        SCOPED_TRACE(std::string(name) + (large ? " large" : " small"));
-        Scene scene = recovery_scene(std::make_shared<Box>(dim, Point{}, Point{1, 1, dim == 3 ? 1.0 : 0.0}),
-                                     dim == 2 ? Plane::strain : Plane::none, law);
-        scene.large_motion = large;
-        const auto d = particles_of(scene, 0.25);
-        expect_bounds(*d, law, large ? 0.2 : 0.02);
-      }
+  expect_points_within_bounds([](const Scene& scene) { return particles_of(scene, 0.25); });
 }
 
 }  // namespace

@@ -2,6 +2,8 @@
 // Scenes built in code, and a plain reference of the SPH operator: loops over all pairs, one neighbour at a
 // time.
 
+#include <gtest/gtest.h>
+
 #include <cmath>
 #include <random>
 
@@ -12,6 +14,7 @@
 #include "sph/operators/kernel.hpp"
 #include "sph/particles/particles.hpp"
 #include "sph/sph.hpp"
+#include "state_of.hpp"
 
 namespace femsph::test {
 
@@ -74,11 +77,38 @@ inline double largest(const AlignedVector<double>& a) {
   return m;
 }
 
+/// A displacement that is even across the planes x = 0 and y = 0, as symmetry planes there allow.
+inline AlignedVector<double> even_field(const Discretization& d) {
+  AlignedVector<double> u(d.layout().size, 0.0);
+  for (std::size_t i = 0; i < d.layout().points; ++i) {
+    const Point x = d.position(i);
+    u[d.layout().at(i, 0)] = 1e-3 * x[0] * (1 + 30 * x[1] * x[1]);
+    u[d.layout().at(i, 1)] = -2e-3 * x[1] * std::cos(9 * x[0]);
+  }
+  return u;
+}
+
 inline AlignedVector<double> force(Discretization& d, const AlignedVector<double>& u) {
   AlignedVector<double> f(d.layout().size, 0.0), v(d.layout().size, 0.0),
       viscous(d.has_viscosity() ? d.layout().size : 0, 0.0);
   d.internal_force(u.data(), v.data(), 0, f.data(), viscous.empty() ? nullptr : viscous.data());
   return f;
+}
+
+/// The particles of a quarter (x, y > 0) of a plane body feel the accelerations of their twins in the whole,
+/// to `tolerance` of the largest.
+inline void expect_same_accelerations(Discretization& part, Discretization& whole, double tolerance) {
+  const auto f = force(whole, even_field(whole)), g = force(part, even_field(part));
+  for (std::size_t i = 0; i < part.layout().points; ++i) {
+    const Point x = part.position(i);
+    std::size_t twin = 0;
+    for (std::size_t j = 0; j < whole.layout().points; ++j)
+      if (std::hypot(whole.position(j)[0] - x[0], whole.position(j)[1] - x[1]) < 1e-9) twin = j;
+    for (int c = 0; c < 2; ++c)
+      EXPECT_NEAR(
+          g[part.layout().at(i, c)] / part.mass()[i], f[whole.layout().at(twin, c)] / whole.mass()[twin],
+          tolerance * largest(f) / whole.mass()[twin]);
+  }
 }
 
 /// f_k = -sum_i V_i (s_i B_i) : d H_i / d u_k with H_i = sum_j K_j (u_j - u_i) (x) grad_i W_ij, small strain,

@@ -32,8 +32,8 @@ compare::Engine priced_alike() {
           fem::static_limit};
 }
 
-// The paper's cantilever sinks by 4.7901 mm (elastic limit by FEM of degree 4, which the ladders know nothing
-// of).
+// The tip of the paper's cantilever moves by 4.7901 mm (elastic limit by FEM of degree 4, which is not used
+// by the advice).
 TEST(Advise, TheAdvisedRunHasTheErrorThatWasAsked) {
   const Scene scene = cantilever(25e3, settle);
   const double limit = 1e3 * fem::static_limit(scene, {100, 10, 1}, 4).probes.at("tip")[1];
@@ -53,8 +53,8 @@ TEST(Advise, TheAdvisedRunHasTheErrorThatWasAsked) {
   }
 }
 
-// Uncorrected SPH approaches a limit of its own; beside one element alone no two limits meet, and that is
-// said instead of an advice.
+// Uncorrected SPH approaches a limit of its own; with a single element beside it no two limits agree, and
+// advice is refused.
 TEST(Advise, ClassicSphDoesNotConfirmAnElement) {
   const Scene scene = cantilever(25e3, settle);
   Question q = tip({"fem-full", "sph-classic-share"});

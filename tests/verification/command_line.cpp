@@ -1,5 +1,4 @@
-// The program's command line and its folders, from outside: exit codes, messages, and what stands in a folder
-// after a second run.
+// The command line: exit codes, messages, and the files in a folder after a second run.
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -62,7 +61,7 @@ class CommandLine : public testing::Test {
 
 const char* const symmetric = "[[symmetry]]\nbody = \"bar\"\nat = \"y-\"\n";
 
-TEST_F(CommandLine, WhatCannotBeFollowedEndsWithTwo) {
+TEST_F(CommandLine, BadCommandsExitWithTwo) {
   const std::string scene = bar(),
                     run = "run " + scene + " --spacing '5 mm' --out " + path("out") + " --solver ";
   const std::pair<std::string, const char*> bad[] = {
@@ -81,10 +80,10 @@ TEST_F(CommandLine, WhatCannotBeFollowedEndsWithTwo) {
     EXPECT_EQ(o.code, 2) << arguments << "\n" << o.text;
     EXPECT_THAT(o.text, HasSubstr(message)) << arguments;
   }
-  EXPECT_FALSE(fs::exists(path("out")));  // nothing was begun
+  EXPECT_FALSE(fs::exists(path("out")));  // nothing was started
 }
 
-TEST_F(CommandLine, WhatAMethodRefusesEndsWithThree) {
+TEST_F(CommandLine, ScenesThatAMethodRefusesExitWithThree) {
   const std::string large = write("large.toml", [&] {
     bar(symmetric);
     std::string text = read("bar.toml");
@@ -103,7 +102,7 @@ TEST_F(CommandLine, WhatAMethodRefusesEndsWithThree) {
 
 // Two press-fit bars that overlap undeformed run when the displacements at the start part them, and are
 // refused when they do not.
-TEST_F(CommandLine, AnOverlapThatTheStartTakesAwayIsNone) {
+TEST_F(CommandLine, AnOverlapThatTheStartRemovesIsNone) {
   const auto scene = [&](const char* name, const char* gradient) {
     const auto body = [](const char* body, const char* origin) {
       return std::string("[bodies.") + body + "]\nshape = \"box\"\norigin = [\"" + origin +
@@ -152,9 +151,9 @@ TEST_F(CommandLine, ASecondRunLeavesNothingOfTheFirst) {
   EXPECT_THAT(read("out/record.toml"), HasSubstr("sph-corrected"));
 }
 
-// A run into the folder of its own scene keeps it; one that would write over another scene is refused, and
-// has touched nothing.
-TEST_F(CommandLine, ARunDoesNotWriteOverSomebodysScene) {
+// A run into the folder of its own scene keeps it; one that would write over another scene is refused and
+// changes no file.
+TEST_F(CommandLine, ARunDoesNotWriteOverAnotherScene) {
   bar();
   const std::string text = read("bar.toml");
   write("own/scene.toml", text);

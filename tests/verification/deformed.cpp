@@ -1,5 +1,5 @@
-// What a deformed body's highest frequency really is, by the tangent of its forces, beside the bound that the
-// march's step follows.
+// The highest frequency of a deformed body, by the tangent of its forces, against the bound that the step of
+// the march follows.
 
 #include <gtest/gtest.h>
 
@@ -100,7 +100,7 @@ double largest_now(Deformed& d) {
   });
 }
 
-// The bound is one, and not so loose that steps are wasted: the true ratio is at least 60 % of it, that is,
+// The bound holds, and is not so loose that steps are wasted: the true ratio is at least 60 % of it, that is,
 // the step at least three quarters of what would do. Of particles 55 %: whole cells raise the highest
 // frequency of the undeformed body at its corners, which the bound then multiplies. Elasticity with moduli of
 // the undeformed body (co-rotated linear) does not stiffen: no bound is offered, none is needed.

@@ -14,8 +14,8 @@ const char* const every_method[] = {
     "sph-classic-share", "sph-classic-full", "sph-classic-trapezoid", "sph-virtual",
     "sph-weight",        "sph-corrected"};
 
-// 10 ms of the cantilever after a step load, undamped. The march conserves energy to round-off; the bound is
-// the promise made to users.
+// 10 ms of the cantilever after a step load, undamped. The march conserves energy to round-off; 0.1 % is what
+// users are promised.
 TEST(Dynamics, EnergyBalancesAndMomentumIsKeptInAnUndampedRun) {
   const Scene scene = cantilever(25e3, "[time]\nduration = \"10 ms\"\n");
   for (const char* method : every_method) {
@@ -55,7 +55,7 @@ TEST(Dynamics, WaveInABarHasItsPeriodAndPeak) {
   }
 }
 
-// First frequency of the plane-stress cantilever: 82.990 Hz (converged, CASES); Euler-Bernoulli 83.552. From
+// First frequency of the plane-stress cantilever: 82.990 Hz (converged FEM); Euler-Bernoulli 83.552. From
 // the mean of the tip's crossings over six periods. A ten-mode sum of beam theory peaks at 1.996 x static
 // within 50 ms; the true beam's shear and the discretization's high modes shift the beats, so the peak is
 // asked to lie in 1.93 .. 2.

@@ -11,7 +11,6 @@
 #include <filesystem>
 #include <fstream>
 #include <map>
-#include <regex>
 #include <sstream>
 #include <string>
 #include <thread>
@@ -55,7 +54,7 @@ inline int wait_for(pid_t child) {
 
 inline int run(const std::string& arguments, const fs::path& log) { return wait_for(start(arguments, log)); }
 
-/// Every file of a run by its name; of the record only what does not speak of time, price and command.
+/// Every file of a run by its name; the record without times, costs and the command.
 inline std::map<std::string, std::string> results(const fs::path& folder) {
   std::map<std::string, std::string> all;
   for (const auto& entry : fs::recursive_directory_iterator(folder))
@@ -93,10 +92,8 @@ class Interrupted : public testing::Test {
   ~Interrupted() override { fs::remove_all(folder); }
 
   std::string scene_file(const Case& c) {
-    const fs::path file = folder / (std::string(c.name) + ".toml");
-    const std::string method = std::string(c.name) == "kinetic" ? "kinetic" : "damping";
-    std::ofstream(file) << std::regex_replace(
-        std::regex_replace(c.scene, std::regex("METHOD"), method), std::regex("SOURCE"), FEMSPH_SOURCE_DIR);
+    const fs::path file = folder / (c.name + ".toml");
+    std::ofstream(file) << c.scene;
     return file;
   }
   std::string run_of(const Case& c, const std::string& out) {

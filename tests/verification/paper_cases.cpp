@@ -1,6 +1,5 @@
-// The paper's elastic cases by the program's own march, settled to rest, against numbers that other programs
-// of ours computed before this one was written (static solutions for FEM, prototypes for SPH), and against
-// the elasticity limit.
+// The paper's elastic cases, settled by the march, against values of independent programs (static solutions
+// for FEM, prototypes for SPH) and against the elasticity limit.
 
 #include <gtest/gtest.h>
 
@@ -90,36 +89,12 @@ TEST(Spacing, CorrectedConvergesFasterThanOrder17) {
 
 // S2, the thinnest of the three beams: theory 0.5143 mm; 3 particles in depth.
 TEST(Depth, ClassicFullHasTheErrorFound) {
-  const Scene scene = parse_scene(R"(
-title = "cantilever in 3D"
-[model]
-plane = "none"
-[materials.steel]
-law = "elastic"
-young = "210 GPa"
-poisson = 0.3
-density = "7850 kg/m^3"
-[bodies.beam]
-shape = "box"
-size = ["300 mm", "100 mm", "5 mm"]
-material = "steel"
-[[supports]]
-at = "x-"
-fix = ["x", "y", "z"]
-[[loads]]
-at = "x+ y+"
-force = ["0 N", "-5 kN", "0 N"]
-[[probes]]
-name = "tip"
-quantity = "displacement"
-point = ["300 mm", "50 mm", "2.5 mm"]
-[time]
-duration = "20 ms"
-samples = 10
-[settling]
-method = "damping"
-)",
-                                  "depth.toml");
+  using namespace scene_text;
+  const Scene scene = parse_scene(
+      model("none") + steel() + box("beam", "300 100 5 mm") + support("x-", "x y z") +
+          load("x+ y+", "0 -5 0 kN") + probe("tip", "displacement", "300 50 2.5 mm") +
+          time("20 ms", "samples = 10\n") + settling("damping"),
+      "depth.toml");
   EXPECT_NEAR(error(-1e3 * last(run(scene, "sph-classic-full", 2.5), "tip_y"), 0.5143), -18.5, 1);
 }
 

@@ -8,59 +8,34 @@
 namespace femsph::test {
 namespace {
 
-/// Steel 200 x 8 mm in plane strain that flies at `speed` onto a smooth wall at its end x-; `law` adds to the
-/// material.
+using scene_text::time;
+
+/// Steel 200 x 8 mm in plane strain that flies at `speed` (m/s) onto a smooth wall at its end x-; `law` adds
+/// to the material, `end` is the [time] table.
 Scene impact(const std::string& law, const std::string& sides, double speed, const std::string& end) {
-  return parse_scene(fmt::format(R"(
-[model]
-plane = "strain"
-[materials.steel]
-law = "plastic"
-young = "210 GPa"
-poisson = 0.3
-density = "7850 kg/m^3"
-yield = "300 MPa"
-tangent_ratio = 0.01
-{}
-[bodies.bar]
-shape = "box"
-size = ["200 mm", "8 mm"]
-thickness = "100 mm"
-material = "steel"
-[[supports]]
-at = "x-"
-fix = ["x"]
-{}
-[[initial]]
-velocity = ["{} m/s", "0 m/s"]
-[[probes]]
-name = "near"
-quantity = "stress"
-point = ["40 mm", "4 mm"]
-[[probes]]
-name = "far"
-quantity = "stress"
-point = ["150 mm", "4 mm"]
-[[probes]]
-name = "yielded"
-quantity = "plastic_strain"
-point = ["40 mm", "4 mm"]
-{})",
-                                 law, sides, -speed, end),
-                     "impact.toml");
+  using namespace scene_text;
+  return parse_scene(
+      model("strain") + plastic_steel(law) + box("bar", "200 8 mm", thick("100 mm")) + support("x-", "x") +
+          sides + initial(fmt::format("{} 0 m/s", -speed)) + probe("near", "stress", "40 4 mm") +
+          probe("far", "stress", "150 4 mm") + probe("yielded", "plastic_strain", "40 4 mm") + end,
+      "impact.toml");
 }
 
-const std::string held = "[[supports]]\nat = \"all\"\nfix = [\"y\"]\n";
+/// Uniaxial strain.
+const std::string held = scene_text::support("all", "y");
+
+/// The rules of plasticity beside von Mises with return mapping, as lines of a material.
+const char* const rules[] = {
+    "", "tension = \"sign\"\ntensile_strength = \"30 MPa\"\n",
+    "tension = \"principal\"\ntensile_strength = \"30 MPa\"\n", "integration = \"no-return-8\"\n"};
 
 // The stress works on the strain by the same trapezoid as the forces on the points, so stored energy and
 // plastic work account for all of it, to round-off, under every rule. (The bar is free to bulge.)
 TEST(Plastic, EnergyBalancesUnderEveryRule) {
-  const std::string end = "[time]\nduration = \"60 us\"\n";
+  const std::string end = time("60 us");
   for (const char* method :
        {"fem-full", "fem-sri", "fem-assumed-strain", "sph-classic-full", "sph-virtual", "sph-corrected"})
-    for (const char* law :
-         {"", "tension = \"sign\"\ntensile_strength = \"30 MPa\"",
-          "tension = \"principal\"\ntensile_strength = \"30 MPa\"", "integration = \"no-return-8\""}) {
+    for (const char* law : rules) {
       const auto r = run(impact(law, "", 20, end), method, 4);
       EXPECT_LT(std::abs(r.ledger.imbalance()), 1e-9 * r.ledger.initial) << method << " " << law;
       EXPECT_GT(r.ledger.plastic, 0.05 * r.ledger.initial) << method << " " << law;
@@ -74,10 +49,8 @@ TEST(Plastic, EnergyBalancesUnderEveryRule) {
 // strain changes its sign, the step also decides when that is: no order there. 2e-4 is measured (1.3e-4 at
 // most), not derived.
 TEST(Plastic, EnergyOfSoftenedStabilizationIsOfFirstOrder) {
-  for (const char* law :
-       {"", "tension = \"sign\"\ntensile_strength = \"30 MPa\"",
-        "tension = \"principal\"\ntensile_strength = \"30 MPa\"", "integration = \"no-return-8\""}) {
-    const Scene scene = impact(law, "", 20, "[time]\nduration = \"60 us\"\n");
+  for (const char* law : rules) {
+    const Scene scene = impact(law, "", 20, time("60 us"));
     const auto imbalance = [&](double safety) {
       compare::RunOptions options;
       options.march.safety = safety;
@@ -118,8 +91,7 @@ TEST(Plastic, TwoWavesOfUniaxialStrain) {
   // Particles need half the spacing of cells: the mean dilatation makes short waves slower.
   for (const auto& [method, spacing] :
        {std::pair("fem-full", 1.0), {"fem-one-point", 1.0}, {"sph-corrected", 0.5}}) {
-    const auto r = run(
-        impact("", held, v, "[time]\nduration = \"33 us\"\nsamples = 2000\n"), method, spacing);
+    const auto r = run(impact("", held, v, time("33 us", "samples = 2000\n")), method, spacing);
     // between the plastic front's passage at 40 mm (8.4 us) and the end, and between the two fronts at 150 mm
     // (25.0 and 31.7 us)
     EXPECT_NEAR(mean(r, "near_xx", 12e-6, 33e-6), -top, 0.01 * top) << method;

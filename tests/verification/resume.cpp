@@ -1,5 +1,5 @@
-// Runs of the real program are killed at random moments and taken up again: what they leave must be what an
-// undisturbed run leaves, to the byte.
+// Runs of the program are killed at random times and resumed: their files must be those of an undisturbed
+// run, byte for byte.
 //   FEMSPH_KILLS=20 build/release/verification --gtest_filter='Resume.*'     tries as often for every scene
 //   and method (else once, by one signal or the other)
 
@@ -12,13 +12,13 @@ namespace {
 
 class Resume : public Interrupted {};
 
-TEST_F(Resume, ARunThatWasKilledGoesOnAsIfNothingHadBeen) {
+TEST_F(Resume, AKilledRunEndsAsAnUndisturbedOne) {
   const char* asked = std::getenv("FEMSPH_KILLS");
   const int kills = asked ? std::atoi(asked) : 1;
   std::mt19937 random(asked ? std::random_device{}() : 1);
   int taken_up = 0, early = 0, tried = 0;
   for (const Case& c : cases()) {
-    SCOPED_TRACE(std::string(c.name) + " by " + c.solver);
+    SCOPED_TRACE(c.name + " by " + c.solver);
     ASSERT_EQ(run(run_of(c, "whole"), folder / "log"), 0) << read(folder / "log");
     ASSERT_FALSE(fs::exists(folder / "whole/checkpoint.h5"));
     for (int k = 0; k < kills; ++k) {
@@ -32,10 +32,9 @@ TEST_F(Resume, ARunThatWasKilledGoesOnAsIfNothingHadBeen) {
           std::chrono::microseconds(std::uniform_int_distribution<int>(0, 150000)(random)));
       kill(child, signal);
       const int code = wait_for(child);
-      if (code == 0 ||
-          (code == -signal &&
-           !fs::exists(
-               folder / "cut/checkpoint.h5"))) {  // it was faster: all is written, and the checkpoint gone
+      if (code == 0 || (code == -signal &&
+                        !fs::exists(folder / "cut/checkpoint.h5"))) {  // it ended before the signal: all is
+                                                                       // written, and the checkpoint removed
         ++early;
         expect_equal(folder / "whole", folder / "cut");
         continue;

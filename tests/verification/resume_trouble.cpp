@@ -1,5 +1,4 @@
-// What goes wrong around a checkpoint: interruptions one after the other, files that are damaged or foreign,
-// a full disk.
+// Trouble with checkpoints: repeated interruptions, damaged files, files of another program, a full disk.
 
 #include <sys/resource.h>
 
@@ -11,7 +10,7 @@ namespace {
 class ResumeTrouble : public Interrupted {};
 
 TEST_F(ResumeTrouble, SeveralInterruptionsInOneRun) {
-  const Case& c = cases()[4];
+  const Case& c = case_named("impact", "sph-corrected");
   ASSERT_EQ(run(run_of(c, "whole"), folder / "log"), 0);
   const pid_t child = start(run_of(c, "cut") + " --checkpoint 10", folder / "log");
   while (!fs::exists(folder / "cut/checkpoint.h5")) std::this_thread::sleep_for(std::chrono::milliseconds(1));
@@ -33,7 +32,7 @@ TEST_F(ResumeTrouble, SeveralInterruptionsInOneRun) {
 
 /// An interrupted run to spoil the checkpoint of.
 TEST_F(ResumeTrouble, DamagedAndForeignCheckpointsAreOneMessage) {
-  const Case& c = cases()[0];
+  const Case& c = case_named("impact", "fem-full");
   const pid_t child = start(run_of(c, "cut") + " --checkpoint 10", folder / "log");
   while (!fs::exists(folder / "cut/checkpoint.h5")) std::this_thread::sleep_for(std::chrono::milliseconds(1));
   kill(child, SIGKILL);
@@ -71,7 +70,7 @@ TEST_F(ResumeTrouble, DamagedAndForeignCheckpointsAreOneMessage) {
 /// A disk that is full when a later checkpoint is written: the one before stays whole, and the run goes on
 /// from it.
 TEST_F(ResumeTrouble, AFullDiskLosesNothing) {
-  const Case& c = cases()[4];
+  const Case& c = case_named("impact", "sph-corrected");
   ASSERT_EQ(run(run_of(c, "whole"), folder / "log"), 0);
   const pid_t child = start(run_of(c, "cut") + " --checkpoint 40", folder / "log");
   while (!fs::exists(folder / "cut/checkpoint.h5")) std::this_thread::sleep_for(std::chrono::milliseconds(1));

@@ -44,7 +44,7 @@ material = "concrete"
                      "beam.toml");
 }
 
-/// A march whose end state a test looks into.
+/// A finished march, to look into its end state.
 struct Marched {
   Marched(const Scene& s, const std::string& method, double spacing_mm, std::optional<double> step = {})
       : scene(s) {

@@ -1,5 +1,5 @@
-// Bodies that really go wrong, by every method: the watch that stops them, where, and the last good state on
-// disk. And sizes that do not fit.
+// Bodies that fail, by every method: the watch that stops the run, where, and the last good state on disk.
+// And the estimate of memory.
 
 #include <fmt/format.h>
 #include <gmock/gmock.h>

@@ -11,8 +11,8 @@ struct DragInput : EffectInput {
   double coefficient = 0;  ///< k, kg/s, of each body that deforms
 };
 
-/// f_i = -k (m_i / M) v_i, at the velocity half a step before. What it takes in a step is
-/// -1/2 dt v(n+1/2) . (f(n) + f(n+1)), as of every force.
+/// f_i = -k (m_i / M) v_i, at the velocity half a step before. The energy that it takes in a step is
+/// -1/2 dt v(n+1/2) . (f(n) + f(n+1)), as for every force.
 class Drag : public Effect {
  public:
   explicit Drag(Motion& motion)
