@@ -56,7 +56,7 @@ TEST(FemCantilever, EveryElementConverges) {
   // Halving the cells must at least halve the error, for each.
   for (const Element e : all_elements) {
     const double coarse = std::abs(tip(e, {40, 4, 0}) - limit), fine = std::abs(tip(e, {80, 8, 0}) - limit);
-    EXPECT_LT(fine, 0.55 * coarse) << static_cast<int>(e);
+    EXPECT_LT(fine, 0.55 * coarse) << e.word;
   }
 }
 

@@ -92,7 +92,7 @@ TEST(FemAxes, ElementsDoNotDependOnTheOrientationOfTheBody) {
       const Point tip = at(1, 0.05);
       tips[turn] = (value_at(*d, u, tip, 0) * down[0] + value_at(*d, u, tip, 1) * down[1]) / 25e3;
     }
-    EXPECT_NEAR(tips[1] / tips[0], 1, 1e-6) << static_cast<int>(element);
+    EXPECT_NEAR(tips[1] / tips[0], 1, 1e-6) << element.word;
   }
 }
 
@@ -145,7 +145,7 @@ TEST(FemAxes, EnergyOfHexahedraTurnsWithThem) {
       return d->energies(u.data()).strain + d->energies(u.data()).hourglass;
     };
     options.distortion = 0;
-    EXPECT_NEAR(energy(turned_mesh, true) / energy(mesh, false), 1, 1e-12) << static_cast<int>(element);
+    EXPECT_NEAR(energy(turned_mesh, true) / energy(mesh, false), 1, 1e-12) << element.word;
   }
 }
 
@@ -169,8 +169,7 @@ TEST(FemCook, ALayerOfHexahedraHeldFlatIsPlaneStrain) {
     options.element = element;
     const auto d = fem::discretize(scene, 0, options);
     const double tip = value_at(*d, static_displacement(*d, scene, 1e-11), {48, 60, 0}, 1);
-    EXPECT_NEAR(tip / cook(element, 6, Plane::strain, 240.565, 0.4999, 100), 1, 1e-6)
-        << static_cast<int>(element);
+    EXPECT_NEAR(tip / cook(element, 6, Plane::strain, 240.565, 0.4999, 100), 1, 1e-6) << element.word;
   }
 }
 

@@ -103,7 +103,7 @@ TEST(FemRecovery, ConcentrationAtAHole) {
   for (const Element element : {Element::one_point, Element::full})
     for (const auto& [nr, percent] : {std::pair{12, 6.0}, std::pair{24, 2.0}, std::pair{48, 0.5}}) {
       double raw;
-      EXPECT_NEAR(at_hole(element, nr, raw), 3, 3 * percent / 100) << int(element);
+      EXPECT_NEAR(at_hole(element, nr, raw), 3, 3 * percent / 100) << element.word;
       if (element == Element::one_point && nr == 12) {
         EXPECT_LT(raw, 2);
       }
