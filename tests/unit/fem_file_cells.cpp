@@ -90,8 +90,9 @@ TEST(FileCells, OneThatIsNotConvexWorksInEveryElement) {
     }
     const auto f = force(*fem, u);  // and constant stress gives no force on inner nodes
     for (std::size_t i = 0; i < fem->layout().points; ++i)
-      if (const Point x = fem->position(i); x[0] > 0 && x[0] < 1)
+      if (const Point x = fem->position(i); x[0] > 0 && x[0] < 1) {
         for (int c = 0; c < 3; ++c) EXPECT_NEAR(f[fem->layout().at(i, c)], 0, 1e-10 * largest(f));
+      }
     // Points of this brick are found, near its bad corner (vertex 1) as well.
     for (const Point& p :
          {bricks.vertices[0], Point{.249, .34, .192}, Point{.249, .342, .2}, Point{.26, .33, .19}}) {

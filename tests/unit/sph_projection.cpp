@@ -127,7 +127,7 @@ TEST(Projection, ForceIsTheSlopeOfTheEnergy) {
 }
 
 // Of a linear field the strain is exact, and hourglass control stores no energy.
-TEST(Projection, LinearFieldsStayExact) {
+TEST(ProjectionSlow, LinearFieldsStayExact) {
   for (const ScatteredBody& b : bodies()) {
     if (!b.planes.empty()) continue;
     const auto d = particles_of(b, true);
@@ -142,7 +142,7 @@ TEST(Projection, LinearFieldsStayExact) {
   }
 }
 
-TEST(Projection, MomentaAreKept) {
+TEST(ProjectionSlow, MomentaAreKept) {
   for (const bool large : {false, true})
     for (const ScatteredBody& b : bodies()) {
       if (!b.planes.empty()) continue;
