@@ -112,10 +112,11 @@ TEST(Projection, SidesThatCutALatticeBesideSymmetryPlanes) {
   const double p = (2 * law.mu + 2 * law.lambda) * 1e-4, thickness = scene.bodies[0].thickness;
   const auto f = force(*d, linear_vector(*d, e));
   for (std::size_t i = 0; i < area.size(); ++i)
-    for (int c = 0; c < 2; ++c)
-      if (d->position(i)[std::size_t(c)] > 1e-9)
-        EXPECT_NEAR(f[d->layout().at(i, c)], -p * thickness * area[i][std::size_t(c)],
-                    1e-9 * p * thickness * b.spacing);
+    for (int c = 0; c < 2; ++c) {
+      if (d->position(i)[std::size_t(c)] <= 1e-9) continue;
+      EXPECT_NEAR(f[d->layout().at(i, c)], -p * thickness * area[i][std::size_t(c)],
+                  1e-9 * p * thickness * b.spacing);
+    }
 }
 
 }  // namespace
