@@ -191,7 +191,8 @@ TEST(GmshSlow, DamagedFilesAreRefusedWithOneSentence) {
   gmsh::option::setNumber("Mesh.Binary", 1);
   gmsh::write(file);
   gmsh::finalize();
-  originals.push_back(content(file));
+  const std::string binary = content(file);
+  originals.push_back(binary);
   std::mt19937 random(11);
   int refused = 0;
   const auto try_to_read = [&](const std::string& bytes) {

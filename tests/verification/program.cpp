@@ -1,5 +1,6 @@
 // The program as a user meets it: exit codes, messages, and what a run leaves behind.
 
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -20,7 +21,7 @@ struct Outcome {
 
 /// Runs femsph with both streams caught.
 Outcome femsph(const std::string& arguments) {
-  const std::string command = std::string(FEMSPH_PROGRAM) + " " + arguments + " 2>&1";
+  const std::string command = fmt::format("{} {} 2>&1", FEMSPH_PROGRAM, arguments);
   Outcome o{-1, {}};
   FILE* pipe = popen(command.c_str(), "r");
   std::array<char, 4096> buffer;
@@ -86,7 +87,7 @@ TEST(Program, ARunLeavesHistoriesFieldsAndItsRecord) {
 
 TEST(Program, AdviceIsAskedForWithOneOfTwoOptions) {
   EXPECT_EQ(femsph("advise " + scene).code, 2);
-  EXPECT_THAT(femsph("advise " + scene).text, HasSubstr("either --error 1% or --within"));
+  EXPECT_THAT(femsph("advise " + scene).text, HasSubstr("expected either an error, such as --error 1%, or a time"));
   EXPECT_EQ(femsph("advise " + scene + " --error 1 --within '1 s'").code, 2);
   EXPECT_EQ(femsph("advise no-such-scene.toml --error 1%").code, 1);
   const Outcome none = femsph("advise " + scene + " --error 1% --methods fem-full --budget '0.2 s'");
