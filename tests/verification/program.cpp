@@ -87,7 +87,8 @@ TEST(Program, ARunLeavesHistoriesFieldsAndItsRecord) {
 
 TEST(Program, AdviceIsAskedForWithOneOfTwoOptions) {
   EXPECT_EQ(femsph("advise " + scene).code, 2);
-  EXPECT_THAT(femsph("advise " + scene).text, HasSubstr("expected either an error, such as --error 1%, or a time"));
+  EXPECT_THAT(
+      femsph("advise " + scene).text, HasSubstr("expected either an error, such as --error 1%, or a time"));
   EXPECT_EQ(femsph("advise " + scene + " --error 1 --within '1 s'").code, 2);
   EXPECT_EQ(femsph("advise no-such-scene.toml --error 1%").code, 1);
   const Outcome none = femsph("advise " + scene + " --error 1% --methods fem-full --budget '0.2 s'");
