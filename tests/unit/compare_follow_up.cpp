@@ -37,14 +37,8 @@ source = "fig 1"
 name = "tip"
 quantity = "tip"
 base = "fem-full"
-[[claims]]
-id = "c"
-source = "fig 1"
-text = "it bends"
-kind = "below"
-rows = {cases = ["a"], method = "fem-full", quantity = "tip"}
-bound = 10
-[[bounds]]
+)" + below_claim("a", "tip") +
+                         R"([[bounds]]
 cases = ["a"]
 methods = ["fem-full"]
 quantity = "tip"

@@ -11,10 +11,7 @@
 namespace femsph::compare {
 namespace {
 
-using ::testing::AllOf;
-using ::testing::EndsWith;
-using ::testing::HasSubstr;
-using ::testing::StartsWith;
+using ::testing::AllOf, ::testing::EndsWith, ::testing::HasSubstr, ::testing::StartsWith;
 using namespace testing;
 using Basis = PricedLadder::Cost::Basis;
 

@@ -13,10 +13,7 @@
 namespace femsph::compare {
 namespace {
 
-using ::testing::AllOf;
-using ::testing::HasSubstr;
-using ::testing::IsEmpty;
-using ::testing::Not;
+using ::testing::AllOf, ::testing::HasSubstr, ::testing::IsEmpty, ::testing::Not;
 using namespace testing;
 
 /// The paper's cantilever at rest: loaded on the corner x+ y+, read at mid height ("tip") and under the load

@@ -42,14 +42,7 @@ probe = "tip"
 component = "y"
 unit = "mm"
 theory = "cantilever_tip"
-[[claims]]
-id = "c"
-source = "fig 14"
-text = "it bends"
-kind = "below"
-rows = {cases = ["1_1"], method = "fem-full", quantity = "tip_displacement"}
-bound = 10
-)";
+)" + below_claim("1_1", "tip_displacement");
 
 class StudyReader : public ::testing::Test {
  protected:

@@ -99,4 +99,12 @@ inline std::string inner_quantity(const std::string& name, const std::string& mo
       "[[quantities]]\nname = \"{}\"\nsection = \"inner\"\ncomponent = \"xx\"\n{}", name, more);
 }
 
+/// A [[claims]] table: the error of fem-full is below 10 %.
+inline std::string below_claim(const std::string& case_name, const std::string& quantity) {
+  return fmt::format(
+      "[[claims]]\nid = \"c\"\nsource = \"fig 1\"\ntext = \"it bends\"\nkind = \"below\"\n"
+      "rows = {{cases = [\"{}\"], method = \"fem-full\", quantity = \"{}\"}}\nbound = 10\n",
+      case_name, quantity);
+}
+
 }  // namespace femsph::compare::testing

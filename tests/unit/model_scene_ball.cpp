@@ -16,10 +16,7 @@
 namespace femsph {
 namespace {
 
-using test::Measured;
-using test::measured;
-using testing::ElementsAre;
-using testing::HasSubstr;
+using test::Measured, test::measured, testing::ElementsAre, testing::HasSubstr;
 using Part = OwnBall::Part;
 
 const double pi = std::acos(-1.0);

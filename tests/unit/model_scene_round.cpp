@@ -16,11 +16,7 @@
 namespace femsph {
 namespace {
 
-using test::Measured;
-using test::measured;
-using test::shape_fault;
-using testing::ElementsAre;
-using testing::HasSubstr;
+using test::Measured, test::measured, test::shape_fault, testing::ElementsAre, testing::HasSubstr;
 using Part = Round::Part;
 
 const double pi = std::acos(-1.0);

@@ -184,32 +184,30 @@ TEST(GmshSlow, DamagedFilesAreRefusedWithOneSentence) {
     std::ifstream in(name, std::ios::binary);
     return std::string(std::istreambuf_iterator<char>(in), {});
   };
-  std::vector<std::string> originals = {content(folder + "l_shape.msh"), content(folder + "two_hexes.msh")};
+  std::array<std::string, 3> originals = {content(folder + "l_shape.msh"), content(folder + "two_hexes.msh")};
   gmsh::initialize(0, nullptr, false);
   gmsh::option::setNumber("General.Terminal", 0);
   gmsh::open(folder + "l_shape.msh");
   gmsh::option::setNumber("Mesh.Binary", 1);
   gmsh::write(file);
   gmsh::finalize();
-  const std::string binary = content(file);
-  originals.push_back(binary);
+  originals[2] = content(file);
   std::mt19937 random(11);
   int refused = 0;
-  const auto try_to_read = [&](const std::string& bytes) {
+  // Read in the dimension of the undamaged mesh: in the other one, all are refused for their cells.
+  const auto try_to_read = [&](const std::string& bytes, int dim) {
     std::ofstream(file, std::ios::binary) << bytes;
-    for (const int dim : {2, 3}) {
-      try {
-        read_gmsh(file, dim, 1.0);
-      } catch (const std::runtime_error& e) {
-        ++refused;
-        EXPECT_THAT(e.what(), testing::AllOf(testing::HasSubstr("femsph_damaged.msh"),
-                                             testing::Not(testing::HasSubstr("\n"))));
-      }
+    try {
+      read_gmsh(file, dim, 1.0);
+    } catch (const std::runtime_error& e) {
+      ++refused;
+      EXPECT_THAT(e.what(), testing::AllOf(testing::HasSubstr("femsph_damaged.msh"),
+                                           testing::Not(testing::HasSubstr("\n"))));
     }
   };
-  for (const std::string& original : originals)
+  for (std::size_t mesh = 0; mesh < originals.size(); ++mesh)
     for (int k = 0; k < 30; ++k) {
-      std::string bytes = original;
+      std::string bytes = originals[mesh];
       const std::size_t at =
           12 +
           random() % (bytes.size() - 12);  // behind "$MeshFormat", without which no file gets as far as Gmsh
@@ -219,12 +217,13 @@ TEST(GmshSlow, DamagedFilesAreRefusedWithOneSentence) {
         bytes[at] = char(random());
       else
         bytes.insert(at, "99999999999");
-      try_to_read(bytes);
+      try_to_read(bytes, mesh == 1 ? 3 : 2);
     }
-  EXPECT_GT(refused, 90);
+  RecordProperty("refused", refused);
+  EXPECT_GT(refused, 45);
   std::string lengths = originals[0];  // a number of nodes beyond any memory
   lengths.insert(lengths.find("$Nodes") + 7, "99999999");
-  try_to_read(lengths);
+  try_to_read(lengths, 2);
 }
 
 TEST(Gmsh, RefusesWhatIsNoFile) {

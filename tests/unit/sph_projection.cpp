@@ -179,7 +179,7 @@ TEST(Projection, AQuarterIsTheWhole) {
   expect_same_accelerations(*p, *w, 1e-6);
 }
 
-TEST(Projection, ThreadsDoNotChangeABit) {
+TEST(ProjectionSlow, ThreadsDoNotChangeABit) {
   const ScatteredBody b{
       "disc", std::make_shared<Round>(2, Round::Size{{}, 0, 0.1, 0, 2, Round::Part::whole}), 0.0021};
   AlignedVector<double> f[2];

@@ -133,7 +133,7 @@ TEST(SphRecovery, WallOfAThickRing) {
 }
 
 /// u = sin(k . x) at the particles, as a wave has it, in order and jittered: on the surface and inside.
-TEST(SphRecovery, SmoothWave) {
+TEST(SphRecoverySlow, SmoothWave) {
   for (const double jitter : {0.0, 0.2})
     for (const bool inside : {false, true}) {
       const auto error = [&](int ny) {

@@ -13,6 +13,14 @@ namespace {
 constexpr double infinite = std::numeric_limits<double>::infinity(),
                  nan = std::numeric_limits<double>::quiet_NaN();
 
+/// The velocity of the step of length dt (s) from `before` to u, where the next step begins.
+AlignedVector<double> velocity_to(const AlignedVector<double>& u, AlignedVector<double>& before, double dt) {
+  AlignedVector<double> v = u;
+  for (std::size_t i = 0; i < v.size(); ++i) v[i] = (u[i] - before[i]) / dt;
+  before = u;
+  return v;
+}
+
 template <int dim, class LawType>
 void compare_with_plain(Plane plane, bool plastic, sph::KernelKind kind, double smoothing) {
   Scene scene = box_scene(plane, dim == 3 ? Point{0.06, 0.05, 0.04} : Point{0.13, 0.1, 0}, true);
@@ -40,9 +48,7 @@ void compare_with_plain(Plane plane, bool plastic, sph::KernelKind kind, double 
   const double dt = 1e-6;
   for (int k = 0; k <= steps; ++k) {
     const AlignedVector<double> u = swirl(*moving, double(k) / steps);
-    AlignedVector<double> v = u;
-    for (std::size_t i = 0; i < v.size(); ++i) v[i] = (u[i] - before[i]) / dt;
-    before = u;
+    const AlignedVector<double> v = velocity_to(u, before, dt);
     moving->internal_force(u.data(), v.data(), k == 0 ? 0 : dt, f.data(), g.data());
     plain.step(u, v, k == 0 ? 0 : dt, F, G);
     ASSERT_LE(apart(f, F), 1e-12 * largest(F)) << "step " << k;
@@ -82,9 +88,7 @@ TEST(UpdatedLagrangian, DoesNotDependOnTheThreads) {
     AlignedVector<double> f(d->layout().size, 0.0), g = f, before = swirl(*d, 0);
     for (int k = 0; k <= 5; ++k) {
       const AlignedVector<double> u = swirl(*d, 0.1 * k);
-      AlignedVector<double> v = u;
-      for (std::size_t i = 0; i < v.size(); ++i) v[i] = (u[i] - before[i]) / 1e-6;
-      before = u;
+      const AlignedVector<double> v = velocity_to(u, before, 1e-6);
       d->internal_force(u.data(), v.data(), k == 0 ? 0 : 1e-6, f.data(), g.data());
     }
     set_threads(1);
@@ -104,9 +108,7 @@ TEST(UpdatedLagrangian, GoesOnFromASavedState) {
   AlignedVector<double> f(whole->layout().size, 0.0), g = f, F = f, G = f, before = swirl(*whole, 0);
   for (int k = 0; k <= 60; ++k) {
     const AlignedVector<double> u = swirl(*whole, 0.02 * k);
-    AlignedVector<double> v = u;
-    for (std::size_t i = 0; i < v.size(); ++i) v[i] = (u[i] - before[i]) / 1e-6;
-    before = u;
+    const AlignedVector<double> v = velocity_to(u, before, 1e-6);
     whole->internal_force(u.data(), v.data(), k == 0 ? 0 : 1e-6, f.data(), g.data());
     if (k > 23) later->internal_force(u.data(), v.data(), 1e-6, F.data(), G.data());
     if (k == 23) {

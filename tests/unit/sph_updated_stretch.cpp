@@ -8,6 +8,16 @@
 namespace femsph::test {
 namespace {
 
+/// A B, of matrices or of the upper left corners of arrays.
+template <int dim, class MatrixA, class MatrixB>
+Tensor<double, dim> product(const MatrixA& a, const MatrixB& b) {
+  Tensor<double, dim> out{};
+  for (int i = 0; i < dim; ++i)
+    for (int j = 0; j < dim; ++j)
+      for (int k = 0; k < dim; ++k) out[i][j] += a[i][k] * b[k][j];
+  return out;
+}
+
 /// M N^-1 of 2 x 2 or 3 x 3 matrices, by Cramer's rule.
 template <int dim>
 Tensor<double, dim> over(const Tensor<double, dim>& M, const Tensor<double, dim>& N,
@@ -23,11 +33,7 @@ Tensor<double, dim> over(const Tensor<double, dim>& M, const Tensor<double, dim>
   if (determinant) *determinant = det;
   for (int i = 0; i < 3; ++i)
     for (int j = 0; j < 3; ++j) inverse[j][i] = minor(i, j) / det;
-  Tensor<double, dim> out{};
-  for (int i = 0; i < dim; ++i)
-    for (int j = 0; j < dim; ++j)
-      for (int k = 0; k < dim; ++k) out[i][j] += M[i][k] * inverse[k][j];
-  return out;
+  return product<dim>(M, inverse);
 }
 
 /// A large stretch and shear that grows while the whole makes two and a half turns.
@@ -36,11 +42,7 @@ Tensor<double, dim> deformation(double t) {
   const double angle = 5 * std::acos(-1.0) * t, c = std::cos(angle), s = std::sin(angle);
   const double R[3][3] = {{c, -s, 0}, {s, c, 0}, {0, 0, 1}},
                U[3][3] = {{1 + 0.8 * t, 0.5 * t, 0.2 * t}, {0, 1 - 0.4 * t, 0.3 * t}, {0, 0, 1 + 0.5 * t}};
-  Tensor<double, dim> F{};
-  for (int i = 0; i < dim; ++i)
-    for (int j = 0; j < dim; ++j)
-      for (int k = 0; k < dim; ++k) F[i][j] += R[i][k] * U[k][j];
-  return F;
+  return product<dim>(R, U);
 }
 
 // The gradient at the middle of a step, L = 2 (F1 - F0)(F1 + F0)^-1, carries F0 to F1 exactly, so after forty
