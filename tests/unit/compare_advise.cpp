@@ -14,7 +14,7 @@ namespace {
 
 using ::testing::AllOf;
 using ::testing::HasSubstr;
-using namespace testing;
+using namespace test;
 
 /// Tip = limit (1 + c d^2), d in m; a run takes 1e-6 d^-3 s: 0.1 mm of spacing would take 1e6 s.
 class Advise : public ::testing::Test {

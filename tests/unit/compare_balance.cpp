@@ -10,11 +10,11 @@
 namespace femsph::compare {
 namespace {
 
-using namespace testing;  // of compare_balance_support.hpp
+using namespace test;  // of compare_balance_support.hpp
 using namespace scene_text;
 
 /// A bar 100 x 10 x 10 mm of steel, along x, and what happens to it in `ms`; a row for every step.
-Scene bar(const std::string& what, const std::string& ms) {
+Scene slender_bar(const std::string& what, const std::string& ms) {
   return balance_scene(model("none") + steel("0.25") + box("bar", "100 10 10 mm") + what +
                        scene_text::time(ms + " ms", "samples = 1000000\n"));
 }
@@ -24,7 +24,7 @@ constexpr double bar_mass = 7850 * 0.1 * 1e-4;
 // The left face is driven to 1 m/s within 1 ms, about thirteen periods of the lowest mode: then the momentum
 // is M v, at every spacing. Until then the impulse is the momentum, to round-off.
 TEST(Balance, ImpulseOfADrivenFaceIsTheMomentumOfTheBar) {
-  const Scene scene = bar(
+  const Scene scene = slender_bar(
       support("x-", "x",
               velocity("1 0 0 m/s") + "history = {time = [\"0 ms\", \"1 ms\"], factor = [0, 1]}\n" +
                   named("grip")),
@@ -54,7 +54,7 @@ TEST(Balance, SupportsThatStartOrStopAtOnceGiveAnImpulse) {
   const std::string together = push + initial("1 0 0 m/s");
   for (const char* method : {"fem-full", "sph-corrected"}) {
     const auto run = [&](const std::string& what) {
-      return run_scene(bar(what, "0.03"), method_named(method), {0.005, {}}, {});
+      return run_scene(slender_bar(what, "0.03"), method_named(method), {0.005, {}}, {});
     };
     const RunResult pushed = run(push), stopped = run(wall), flying = run(together);
     for (const RunResult* r : {&pushed, &stopped}) {
@@ -74,7 +74,7 @@ TEST(Balance, SupportsThatStartOrStopAtOnceGiveAnImpulse) {
 // The reaction includes mass-proportional damping of the driven points and, in classic SPH, the artificial
 // viscosity.
 TEST(Balance, DampingAndViscosityOfDrivenPointsAreInTheReaction) {
-  const Scene scene = bar(
+  const Scene scene = slender_bar(
       support("x-", "x y z",
               velocity("1 0 0 m/s") + "history = {time = [\"0 ms\", \"0.05 ms\"], factor = [0, 1]}\n" +
                   named("grip")) +

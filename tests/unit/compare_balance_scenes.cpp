@@ -5,7 +5,7 @@
 namespace femsph::compare {
 namespace {
 
-using namespace testing;  // of compare_balance_support.hpp
+using namespace test;  // of compare_balance_support.hpp
 using namespace scene_text;
 
 TEST(Balance, ForcesAddUpInEveryScene) {

@@ -13,7 +13,7 @@
 #include "model/scene/reader/reader.hpp"
 #include "tests/scene_text.hpp"
 
-namespace femsph::compare::testing {
+namespace femsph::compare::test {
 
 inline Scene balance_scene(const std::string& text) { return parse_scene(text, "balance.toml"); }
 
@@ -54,4 +54,4 @@ inline double change(const RunResult& r, const std::string& name) {
   return column(r, name).back() - column(r, name).front();
 }
 
-}  // namespace femsph::compare::testing
+}  // namespace femsph::compare::test

@@ -11,7 +11,7 @@
 namespace femsph::compare {
 namespace {
 
-using namespace testing;  // of compare_balance_support.hpp
+using namespace test;  // of compare_balance_support.hpp
 using namespace scene_text;
 using ::testing::AllOf, ::testing::HasSubstr, ::testing::ThrowsMessage;
 // A block of 20 kN held in y along its foot and in x and y along its side: the corner belongs to both, and

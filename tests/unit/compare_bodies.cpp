@@ -15,17 +15,7 @@ namespace femsph::compare {
 namespace {
 
 using ::testing::HasSubstr;
-using namespace testing;
-
-template <class Act>
-std::string message_of(Act act) {
-  try {
-    act();
-  } catch (const std::exception& e) {
-    return e.what();
-  }
-  return "";
-}
+using namespace test;
 
 /// A thick beam of hard steel over a thin one of soft steel, in this order or the other.
 Scene two_bodies(bool swapped) {

@@ -15,7 +15,7 @@
 namespace femsph::compare {
 namespace {
 
-using namespace testing;
+using namespace test;
 using ::testing::HasSubstr;
 
 const double nan = std::numeric_limits<double>::quiet_NaN(),

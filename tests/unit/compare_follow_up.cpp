@@ -8,7 +8,7 @@
 namespace femsph::compare {
 namespace {
 
-using namespace testing;  // of compare_support.hpp
+using namespace test;  // of compare_support.hpp
 using ::testing::AllOf, ::testing::HasSubstr, ::testing::Not, ::testing::StartsWith;
 
 /// Everything in it refers to the runs, to the scene or to the quantity.

@@ -12,7 +12,7 @@ namespace femsph::compare {
 namespace {
 
 using ::testing::AllOf, ::testing::EndsWith, ::testing::HasSubstr, ::testing::StartsWith;
-using namespace testing;
+using namespace test;
 using Basis = PricedLadder::Cost::Basis;
 
 /// In a plane: 1e6 / d^2 units, 1e4 / d steps, 1e-8 s each.
@@ -112,7 +112,7 @@ TEST(PricedLadder, CostOfAStepHasAFixedPart) {
   EXPECT_NEAR(l.cpu_at(0.25), 4e4 * (1e-3 + 1e-8 * 1.6e7), 1e-6);
 }
 
-const char* const study_toml = R"(title = "A study"
+const char* const priced_study = R"(title = "A study"
 repeat = 3
 [[limits]]
 scene = "scene.toml"
@@ -151,7 +151,7 @@ class Prices : public ::testing::Test {
 
   void SetUp() override {
     folder.write("beam/scene.toml", cantilever_toml);
-    study = read_study(folder.write("beam/study.toml", study_toml));
+    study = read_study(folder.write("beam/study.toml", priced_study));
     // 10 mm (1 + 25 d^2), d in m: an error of 1 % at 20 mm, a quarter of it at 10 mm. SPH has four times the
     // error.
     engine.run = [this](const Scene&, const Method& method, const Resolution& resolution, const RunOptions&) {
@@ -165,7 +165,7 @@ class Prices : public ::testing::Test {
     };
   }
   std::string message(const std::string& old, const std::string& instead) {
-    std::string text = study_toml;
+    std::string text = priced_study;
     const auto at = text.find(old);
     EXPECT_NE(at, std::string::npos) << old;
     try {

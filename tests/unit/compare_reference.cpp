@@ -14,7 +14,7 @@ namespace femsph::compare {
 namespace {
 
 using ::testing::AllOf, ::testing::HasSubstr, ::testing::IsEmpty, ::testing::Not;
-using namespace testing;
+using namespace test;
 
 /// The paper's cantilever at rest: loaded on the corner x+ y+, read at mid height ("tip") and under the load
 /// ("under").

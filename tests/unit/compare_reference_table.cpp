@@ -15,7 +15,7 @@ using ::testing::HasSubstr;
 
 class ReferenceFile : public ::testing::Test {
  protected:
-  testing::Folder folder{"table"};
+  test::Folder folder{"table"};
   std::string message(const std::string& text) {
     try {
       read_reference_table(folder.write("x.csv", text), "m");

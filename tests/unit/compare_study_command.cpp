@@ -11,15 +11,15 @@ namespace {
 
 using ::testing::HasSubstr;
 using ::testing::Not;
-using namespace testing;
+using namespace test;
 
-const std::string study_toml = R"(title = "A study"
+const std::string command_study = R"(title = "A study"
 [[runs]]
 methods = ["fem-full"]
 spacing = ["20 mm", "10 mm"]
 quick = ["d=20mm"]
 )" + tip_quantity("tip", cantilever_tip) +
-                               R"([[series]]
+                                  R"([[series]]
 file = "error.csv"
 kind = "error"
 quantity = "tip"
@@ -40,7 +40,7 @@ class StudyCommandTest : public ::testing::Test {
 
   void SetUp() override {
     folder.write("studies/beam/scene.toml", cantilever_toml);
-    folder.write("studies/beam/study.toml", study_toml);
+    folder.write("studies/beam/study.toml", command_study);
     folder.write("studies/beam/README.md", "# Beam\n\n<!-- femsph:table -->\n<!-- /femsph:table -->\n");
     command.name = folder / "studies/beam";
     command.out = folder / "results";

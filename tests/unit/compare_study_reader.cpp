@@ -1,5 +1,6 @@
 // Study files, valid and faulty: every fault is found and explained, with its place.
 
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 
 #include "compare/study/reader/study.hpp"
@@ -10,10 +11,11 @@ namespace {
 
 using ::testing::AllOf;
 using ::testing::HasSubstr;
-using namespace testing;
+using namespace test;
 using scene_text::replaced;
 
-const std::string good = R"(title = "A study"
+const std::string good_study =
+    R"(title = "A study"
 [limit]
 divisions = "40x4"
 degree = 2
@@ -28,8 +30,8 @@ spacing = ["20 mm", "2.5 mm"]
 options = {smoothing = 1.2, kernel = "wendland-c2"}
 safety = 0.5
 )" + tip_quantity("tip_displacement", reversed + cantilever_tip) +
-                         inner_quantity("stress_l2", "reduce = \"l2\"\ntheory = \"cantilever_stress\"\n") +
-                         R"([[paper]]
+    inner_quantity("stress_l2", "reduce = \"l2\"\ntheory = \"cantilever_stress\"\n") +
+    R"([[paper]]
 cases = ["1_2"]
 quantity = "tip_displacement"
 value = "0.4765 cm"
@@ -47,7 +49,7 @@ theory = "cantilever_tip"
 class StudyReader : public ::testing::Test {
  protected:
   Folder folder{"reader"};
-  std::string file = folder.write("beam/study.toml", good);
+  std::string file = folder.write("beam/study.toml", good_study);
   void SetUp() override { folder.write("beam/scene.toml", cantilever_toml); }
 
   Study read(const std::string& text) { return parse_study(text, file); }
@@ -88,7 +90,7 @@ TEST_F(StudyReader, ReadsAGoodFile) {
 }
 
 TEST_F(StudyReader, FindsAllFaultsAtOnceWithTheirPlaces) {
-  std::string text = replaced(good, "\"fem-sri\"", "\"fem-sir\"");
+  std::string text = replaced(good_study, "\"fem-sri\"", "\"fem-sir\"");
   text = replaced(text, "safety = 0.5", "saftey = 0.5");
   text = replaced(text, "theory = \"cantilever_tip\"", "theory = \"cantilver_tip\"");
   EXPECT_THAT(
@@ -99,46 +101,48 @@ TEST_F(StudyReader, FindsAllFaultsAtOnceWithTheirPlaces) {
 }
 
 TEST_F(StudyReader, FaultsInRuns) {
-  EXPECT_THAT(message(replaced(good, "\"40x4\"]", "\"40*4\"]")),
+  EXPECT_THAT(message(replaced(good_study, "\"40x4\"]", "\"40*4\"]")),
               HasSubstr("\"40*4\" in \"divisions\"; expected 2 whole numbers"));
-  EXPECT_THAT(message(replaced(good, "\"40x4\"]", "\"40x4x2\"]")), HasSubstr("expected 2 whole numbers"));
-  EXPECT_THAT(message(replaced(good, "cases = [\"1_1\", \"1_2\"]", "cases = [\"1_1\"]")),
+  EXPECT_THAT(
+      message(replaced(good_study, "\"40x4\"]", "\"40x4x2\"]")), HasSubstr("expected 2 whole numbers"));
+  EXPECT_THAT(message(replaced(good_study, "cases = [\"1_1\", \"1_2\"]", "cases = [\"1_1\"]")),
               HasSubstr("1 cases for 2 resolutions"));
-  EXPECT_THAT(
-      message(replaced(good, "quick = [\"1_1\"]", "quick = [\"1_11\"]")), HasSubstr("did you mean \"1_1\"?"));
-  EXPECT_THAT(
-      message(replaced(good, "smoothing = 1.2", "smothing = 1.2")), HasSubstr("did you mean \"smoothing\"?"));
-  EXPECT_THAT(message(replaced(good, "smoothing = 1.2", "smoothing = 0")),
+  EXPECT_THAT(message(replaced(good_study, "quick = [\"1_1\"]", "quick = [\"1_11\"]")),
+              HasSubstr("did you mean \"1_1\"?"));
+  EXPECT_THAT(message(replaced(good_study, "smoothing = 1.2", "smothing = 1.2")),
+              HasSubstr("did you mean \"smoothing\"?"));
+  EXPECT_THAT(message(replaced(good_study, "smoothing = 1.2", "smoothing = 0")),
               HasSubstr("\"smoothing\" is 0; expected a number from 0.6 to 4"));
-  EXPECT_THAT(message(replaced(good, "safety = 0.5", "safety = 2.5")),
+  EXPECT_THAT(message(replaced(good_study, "safety = 0.5", "safety = 2.5")),
               HasSubstr("\"safety\" is 2.5; expected a number above 0, up to 2"));
-  EXPECT_THAT(message(replaced(good, "quick = [\"1_1\"]", "spacing = [\"1 mm\"]")),
+  EXPECT_THAT(message(replaced(good_study, "quick = [\"1_1\"]", "spacing = [\"1 mm\"]")),
               HasSubstr("expected either \"spacing\""));
-  EXPECT_THAT(message(replaced(good, "quick = [\"1_1\"]", "scene = \"none.toml\"")),
+  EXPECT_THAT(message(replaced(good_study, "quick = [\"1_1\"]", "scene = \"none.toml\"")),
               HasSubstr("the scene \"none.toml\" cannot be used"));
 }
 
 TEST_F(StudyReader, FaultsInQuantitiesAndSeries) {
-  EXPECT_THAT(message(replaced(good, "probe = \"tip\"", "probe = \"tpi\"")),
+  EXPECT_THAT(message(replaced(good_study, "probe = \"tip\"", "probe = \"tpi\"")),
               HasSubstr("study.toml:17:9: no probe is called \"tpi\" in scene.toml"));
-  EXPECT_THAT(message(replaced(good, "component = \"y\"", "component = \"yy\"")),
+  EXPECT_THAT(message(replaced(good_study, "component = \"y\"", "component = \"yy\"")),
               HasSubstr("expected \"x\" or \"y\""));
-  EXPECT_THAT(message(replaced(good, "unit = \"mm\"", "unit = \"MPa\"")),
+  EXPECT_THAT(message(replaced(good_study, "unit = \"mm\"", "unit = \"MPa\"")),
               HasSubstr("expected a unit of the same kind as \"m\""));
-  EXPECT_THAT(
-      message(replaced(good, "reduce = \"l2\"", "reduce = \"max\"")), HasSubstr("\"reduce\" does not fit"));
-  EXPECT_THAT(message(replaced(good, "theory = \"cantilever_tip\"", "theory = \"bar_stress\"")),
+  EXPECT_THAT(message(replaced(good_study, "reduce = \"l2\"", "reduce = \"max\"")),
+              HasSubstr("\"reduce\" does not fit"));
+  EXPECT_THAT(message(replaced(good_study, "theory = \"cantilever_tip\"", "theory = \"bar_stress\"")),
               HasSubstr("bar theory needs"));
-  EXPECT_THAT(message(replaced(good, "theory = \"cantilever_tip\"", "theory = \"cantilever_tip_history\"")),
-              HasSubstr("depends on time"));
-  EXPECT_THAT(message(replaced(good, "file = \"tip.csv\"", "file = \"../tip.csv\"")),
+  EXPECT_THAT(
+      message(replaced(good_study, "theory = \"cantilever_tip\"", "theory = \"cantilever_tip_history\"")),
+      HasSubstr("depends on time"));
+  EXPECT_THAT(message(replaced(good_study, "file = \"tip.csv\"", "file = \"../tip.csv\"")),
               HasSubstr("\"file\" is \"../tip.csv\""));
-  EXPECT_THAT(message(replaced(good, "kind = \"history\"", "kind = \"profile\"")),
+  EXPECT_THAT(message(replaced(good_study, "kind = \"history\"", "kind = \"profile\"")),
               HasSubstr("\"kind\" does not fit"));
 }
 
 TEST_F(StudyReader, AnOffsetHasTheUnitOfTheTable) {
-  const auto moved = [&](const std::string& key) { return replaced(good, "sign = \"reversed\"", key); };
+  const auto moved = [&](const std::string& key) { return replaced(good_study, "sign = \"reversed\"", key); };
   EXPECT_THAT(message(moved("offset = \"1 MPa\"")), HasSubstr("\"offset\": "));
   EXPECT_THAT(message(moved("offset = \"1 cm\"")),
               HasSubstr("\"offset\" moves the value away from theory and limit"));
@@ -150,15 +154,15 @@ TEST_F(StudyReader, AnOffsetHasTheUnitOfTheTable) {
 
 // A filter that no planned run fits is found before the runs, even if each of its words exists.
 TEST_F(StudyReader, FaultsInPaperAndClaims) {
-  EXPECT_THAT(
-      message(replaced(good, "value = \"0.4765 cm\"", "value = \"0.4765 MPa\"")), HasSubstr("\"value\": "));
-  EXPECT_THAT(
-      message(replaced(good, "method = \"fem-full\", quantity", "method = \"sph-corrected\", quantity")),
-      HasSubstr("no run has the method"));
-  EXPECT_THAT(message(replaced(good, "method = \"fem-full\", quantity",
+  EXPECT_THAT(message(replaced(good_study, "value = \"0.4765 cm\"", "value = \"0.4765 MPa\"")),
+              HasSubstr("\"value\": "));
+  EXPECT_THAT(message(replaced(
+                  good_study, "method = \"fem-full\", quantity", "method = \"sph-corrected\", quantity")),
+              HasSubstr("no run has the method"));
+  EXPECT_THAT(message(replaced(good_study, "method = \"fem-full\", quantity",
                                "method = \"sph-corrected smoothing=1.2 kernel=wendland-c2\", quantity")),
               HasSubstr("no run of the study gives 1_1 sph-corrected"));
-  EXPECT_THAT(message(replaced(good, "bound = 10", "bond = 10")),
+  EXPECT_THAT(message(replaced(good_study, "bound = 10", "bond = 10")),
               AllOf(HasSubstr("missing \"bound\""), HasSubstr("did you mean \"bound\"?")));
 }
 
@@ -191,7 +195,7 @@ TEST_F(StudyReader, AnEmptyStudyIsRefused) {
 TEST(Studies, AreAllReadable) {
   for (const std::string name : {"uniaxial", "boundary", "fem-mesh", "spacing", "depth", "return-mapping",
                                  "two-blocks", "rc-beam", "plastic-beam", "cost", "paper"}) {
-    const Study study = read_study(std::string(FEMSPH_SOURCE_DIR) + "/studies/" + name + "/study.toml");
+    const Study study = read_study(fmt::format("{}/studies/{}/study.toml", FEMSPH_SOURCE_DIR, name));
     EXPECT_EQ(study.name, name);
     EXPECT_TRUE(!study.collected.empty() ||
                 std::any_of(study.runs.begin(), study.runs.end(), [](const auto& run) { return run.quick; }))

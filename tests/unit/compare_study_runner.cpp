@@ -14,9 +14,9 @@ namespace {
 using ::testing::EndsWith;
 using ::testing::HasSubstr;
 using ::testing::StartsWith;
-using namespace testing;
+using namespace test;
 
-const std::string study_toml =
+const std::string runner_study =
     R"(title = "A study"
 [limit]
 divisions = "40x4"
@@ -71,7 +71,7 @@ class StudyRunner : public ::testing::Test {
 
   void SetUp() override {
     folder.write("beam/scene.toml", cantilever_toml);
-    study = read_study(folder.write("beam/study.toml", study_toml));
+    study = read_study(folder.write("beam/study.toml", runner_study));
     // The error of the tip is as many percent as the spacing has centimetres; that of the stress is -10 %.
     engine.run = [](const Scene&, const Method& method, const Resolution& resolution, const RunOptions&) {
       if (!method.is_fem() && resolution.spacing < 0.015) throw std::runtime_error("the step was too long");

@@ -13,7 +13,7 @@ namespace femsph::compare {
 namespace {
 
 using ::testing::HasSubstr;
-using namespace testing;
+using namespace test;
 
 class StudySweep : public ::testing::Test {
  protected:

@@ -13,7 +13,7 @@
 #include "model/scene/shapes/box.hpp"
 #include "tests/scene_text.hpp"
 
-namespace femsph::compare::testing {
+namespace femsph::compare::test {
 
 /// The steel box of the paper, clamped on x-, with a force on x+. Sizes in m, 2D unless depth is given.
 inline Scene steel_box(double length, double height, Point force, double depth = 0) {
@@ -107,4 +107,15 @@ inline std::string below_claim(const std::string& case_name, const std::string& 
       case_name, quantity);
 }
 
-}  // namespace femsph::compare::testing
+/// What `act` throws; empty if it throws nothing.
+template <class Act>
+std::string message_of(Act act) {
+  try {
+    act();
+  } catch (const std::exception& e) {
+    return e.what();
+  }
+  return "";
+}
+
+}  // namespace femsph::compare::test

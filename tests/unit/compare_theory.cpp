@@ -11,20 +11,10 @@ namespace femsph::compare {
 namespace {
 
 using ::testing::HasSubstr;
-using namespace testing;
+using namespace test;
 
 double value(const std::string& name, const Scene& scene, Point at = {}, double time = 0) {
   return theory_named(name).value(scene, at, time);
-}
-
-template <class F>
-std::string message_of(F&& f) {
-  try {
-    f();
-  } catch (const std::runtime_error& e) {
-    return e.what();
-  }
-  return "";
 }
 
 // 1.5 kN over 0.01 m^2 = 0.15 MPa; u = 0.15e6/2.1e11 * 0.3 m = 2.1429e-7 m; c = sqrt(E/rho) = 5172.2 m/s, 4

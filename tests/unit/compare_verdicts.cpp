@@ -13,7 +13,7 @@ namespace {
 using ::testing::HasSubstr;
 using ::testing::StartsWith;
 using Is = JudgedRow::Verdict;
-using namespace testing;
+using namespace test;
 
 Row kept() {
   Row row;

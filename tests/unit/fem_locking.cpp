@@ -13,7 +13,7 @@ namespace femsph::test {
 namespace {
 
 /// n x n cells on a quadrilateral given by its lexicographic corners.
-CellMesh mapped(int n, int m, const std::array<Point, 4>& corner) {
+CellMesh cells_between(int n, int m, const std::array<Point, 4>& corner) {
   CellMesh mesh;
   for (int j = 0; j <= m; ++j)
     for (int i = 0; i <= n; ++i) {
@@ -34,7 +34,8 @@ CellMesh mapped(int n, int m, const std::array<Point, 4>& corner) {
 
 double cook(Element element, int n, Plane plane, double young, double poisson, double load) {
   const std::array<Point, 4> corner{Point{0, 0, 0}, Point{48, 44, 0}, Point{0, 44, 0}, Point{48, 60, 0}};
-  Scene scene = scene_of(std::make_shared<MeshShape>(mapped(n, n, corner), "cook"), plane, young, poisson);
+  Scene scene = scene_of(
+      std::make_shared<MeshShape>(cells_between(n, n, corner), "cook"), plane, young, poisson);
   scene.supports.push_back({Place{0, {"x-"}, {}, {}}, {true, true, true}});
   scene.loads.push_back({Place{0, {"x+"}, {}, {}}, {0, load, 0}, {}});
   fem::Options options;
@@ -78,9 +79,9 @@ TEST(FemAxes, ElementsDoNotDependOnTheOrientationOfTheBody) {
     double tips[2];
     for (const bool turn : {false, true}) {
       const auto at = [&](double x, double y) { return turn ? turned(x, y) : Point{x, y, 0}; };
-      Scene scene = scene_of(
-          std::make_shared<MeshShape>(mapped(20, 2, {at(0, 0), at(1, 0), at(0, 0.1), at(1, 0.1)}), "bar"),
-          Plane::stress, 210e9, 0.3, 0.1);
+      Scene scene = scene_of(std::make_shared<MeshShape>(
+                                 cells_between(20, 2, {at(0, 0), at(1, 0), at(0, 0.1), at(1, 0.1)}), "bar"),
+                             Plane::stress, 210e9, 0.3, 0.1);
       for (const double y : {0.0, 0.05, 0.1})
         scene.supports.push_back({Place{0, {}, at(0, y), {}}, {true, true, true}});
       const Point down = at(0, -25e3);
@@ -153,7 +154,7 @@ TEST(FemCook, ALayerOfHexahedraHeldFlatIsPlaneStrain) {
   // One cell deep and u_z = 0 everywhere: every element must give the tip of its plane-strain quadrilateral
   // (load per depth alike).
   const std::array<Point, 4> corner{Point{0, 0, 0}, Point{48, 44, 0}, Point{0, 44, 0}, Point{48, 60, 0}};
-  const CellMesh flat = mapped(6, 6, corner);
+  const CellMesh flat = cells_between(6, 6, corner);
   CellMesh mesh = flat;
   mesh.dim = 3;
   const int n = static_cast<int>(flat.vertices.size());

@@ -7,6 +7,9 @@
 
 namespace femsph::test {
 
+/// Scene files for the tests.
+inline const std::string scenes_folder = FEMSPH_SOURCE_DIR "/tests/scenes/";
+
 /// The whole message, with places; empty if the scene is read.
 inline std::string message_of(const std::string& text, const std::string& file = "scene.toml") {
   try {

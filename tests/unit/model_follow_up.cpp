@@ -53,21 +53,22 @@ gradient = [[0, 0], [0, 1e-3]]
 /// All messages about a scene, without places.
 std::string said(const std::string& text) { return test::faults_of(text, " | "); }
 
-const std::string block = "shape = \"box\"\nsize = [\"40 mm\", \"40 mm\"]\nthickness";
+const std::string block_shape = "shape = \"box\"\nsize = [\"40 mm\", \"40 mm\"]\nthickness";
 
 TEST(FollowUp, TheSceneItselfIsGood) { EXPECT_EQ(said(good), ""); }
 
 TEST(FollowUp, OfAShape) {
-  EXPECT_EQ(said(replaced(good, block, "shape = \"mesh\"\nfile = \"none.msh\"\nunit = \"mm\"\nthickness")),
-            "no such file \"none.msh\"; expected a .msh file of Gmsh");
   EXPECT_EQ(
-      said(replaced(good, block, "shape = \"boxx\"\nsize = [\"40 mm\", \"40 mm\"]\nthickness")),
+      said(replaced(good, block_shape, "shape = \"mesh\"\nfile = \"none.msh\"\nunit = \"mm\"\nthickness")),
+      "no such file \"none.msh\"; expected a .msh file of Gmsh");
+  EXPECT_EQ(
+      said(replaced(good, block_shape, "shape = \"boxx\"\nsize = [\"40 mm\", \"40 mm\"]\nthickness")),
       "\"shape\" is \"boxx\"; expected \"box\", \"disc\", \"sphere\", \"mesh\", \"ring\", \"cylinder\", "
       "\"tube\", \"quadrilateral\" or \"ball\"; did you mean \"box\"?");
-  EXPECT_EQ(said(replaced(good, block, "shape = \"box\"\nsize = [\"40 mm\"]\nthickness")),
+  EXPECT_EQ(said(replaced(good, block_shape, "shape = \"box\"\nsize = [\"40 mm\"]\nthickness")),
             "\"size\" has 1 component; expected 2 (x, y) in a plane scene");
-  EXPECT_EQ(said(replaced(
-                good, block, "shape = \"sphere\"\ncentre = [\"0 m\", \"0 m\"]\nradius = \"1 m\"\nthickness")),
+  EXPECT_EQ(said(replaced(good, block_shape,
+                          "shape = \"sphere\"\ncentre = [\"0 m\", \"0 m\"]\nradius = \"1 m\"\nthickness")),
             "a sphere in a plane scene; expected \"disc\"");
 }
 

@@ -23,7 +23,7 @@ using testing::ElementsAre;
 using testing::HasSubstr;
 using testing::ThrowsMessage;
 
-History sample() {
+History sample_history() {
   History h;
   h.add("time", "s");
   h.add("tip_x", "m");
@@ -46,19 +46,19 @@ std::vector<std::vector<double>> csv_rows(const std::string& text) {
 }
 
 TEST(History, NamesItsColumnsWhenOneIsMissing) {
-  const History h = sample();
+  const History h = sample_history();
   EXPECT_EQ(h["tip_x"].unit, "m");
   EXPECT_TRUE(h.has("time"));
   EXPECT_FALSE(h.has("tip_y"));
   EXPECT_EQ(h.rows(), 4u);
   EXPECT_THAT([&] { h["tip_y"]; },
               ThrowsMessage<std::out_of_range>(AllOf(HasSubstr("\"tip_y\""), HasSubstr("time, tip_x"))));
-  EXPECT_THROW(sample().add("time", "s"), std::logic_error);
+  EXPECT_THROW(sample_history().add("time", "s"), std::logic_error);
 }
 
 TEST(Csv, ComesBackToTheLastBit) {
   const Folder folder;
-  const History h = sample();
+  const History h = sample_history();
   write_csv(h, folder / "history.csv");
   const std::string text = read(folder / "history.csv");
   EXPECT_EQ(text.substr(0, text.find('\n')), "time [s],tip_x [m]");
@@ -89,7 +89,7 @@ TEST(Csv, ProfileCarriesItsTime) {
 
 TEST(Csv, RefusesColumnsOfDifferentLength) {
   const Folder folder;
-  History h = sample();
+  History h = sample_history();
   h.columns[1].values.pop_back();
   EXPECT_THROW(write_csv(h, folder / "h.csv"), std::logic_error);
   EXPECT_THROW(write_hdf5(h, folder / "h.h5"), std::logic_error);
@@ -98,7 +98,7 @@ TEST(Csv, RefusesColumnsOfDifferentLength) {
 
 TEST(Hdf5, HistoryComesBackWithUnitsInOrder) {
   const Folder folder;
-  const History h = sample();
+  const History h = sample_history();
   write_hdf5(h, folder / "history.h5");
   EXPECT_THAT(root_names(folder / "history.h5"), ElementsAre("time", "tip_x"));
   for (const Column& c : h.columns) {
@@ -135,9 +135,9 @@ TEST(WholeFile, SaysWhatIsInTheWay) {
   const auto refuses = [&](const std::string& file, const std::string& why) {
     EXPECT_THAT([&] { write_text("x", file); },
                 ThrowsMessage<std::runtime_error>(AllOf(HasSubstr(file), HasSubstr(why))));
-    EXPECT_THAT([&] { write_csv(sample(), file); },
+    EXPECT_THAT([&] { write_csv(sample_history(), file); },
                 ThrowsMessage<std::runtime_error>(AllOf(HasSubstr(file), HasSubstr(why))));
-    EXPECT_THAT([&] { write_hdf5(sample(), file); },
+    EXPECT_THAT([&] { write_hdf5(sample_history(), file); },
                 ThrowsMessage<std::runtime_error>(AllOf(HasSubstr(file), HasSubstr(why))));
   };
   refuses(folder / "taken", "Is a directory");

@@ -21,7 +21,7 @@ using testing::ElementsAre;
 using testing::HasSubstr;
 using testing::StartsWith;
 
-RunRecord sample() {
+RunRecord sample_record() {
   RunRecord r;
   r.scene_file = "C:\\scenes\\\"odd\".toml";
   r.scene_text = "title = 'a'\r\n# caf\xC3\xA9\t" + std::string(1, '\0') + " no newline at the end";
@@ -38,7 +38,7 @@ RunRecord sample() {
 
 TEST(Record, ParsesAgainAndSaysWhatWentIn) {
   const Folder folder;
-  const RunRecord r = sample();
+  const RunRecord r = sample_record();
   write_record(r, folder / "run");
   EXPECT_EQ(read(folder / "run/scene.toml"), r.scene_text);  // byte for byte
   EXPECT_THAT(folder.files(), ElementsAre("run/record.toml", "run/scene.toml"));
@@ -67,7 +67,7 @@ TEST(Record, ParsesAgainAndSaysWhatWentIn) {
 /// A file name may be Latin-1: the record must still be TOML.
 TEST(Record, SurvivesTextThatIsNotUtf8) {
   const Folder folder;
-  RunRecord r = sample();
+  RunRecord r = sample_record();
   r.command = "femsph caf\xE9.toml";
   write_record(r, folder.path());
   EXPECT_THAT(toml::parse_file(folder / "record.toml")["command"].value<std::string>().value(),
@@ -77,7 +77,7 @@ TEST(Record, SurvivesTextThatIsNotUtf8) {
 TEST(Record, SaysWhatIsInTheWay) {
   const Folder folder;
   std::filesystem::create_directory(folder / "record.toml");
-  EXPECT_THAT([&] { write_record(sample(), folder.path()); },
+  EXPECT_THAT([&] { write_record(sample_record(), folder.path()); },
               testing::ThrowsMessage<std::runtime_error>(
                   testing::AllOf(HasSubstr(folder / "record.toml"), HasSubstr("Is a directory"))));
 }

@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <numbers>
 #include <set>
 
 #include "model/scene/shapes/ball.hpp"
@@ -19,7 +20,7 @@ namespace {
 using test::Measured, test::measured, testing::ElementsAre, testing::HasSubstr;
 using Part = OwnBall::Part;
 
-const double pi = std::acos(-1.0);
+using std::numbers::pi;
 
 TEST(OwnBallSlow, VolumeComesNearWithTheSquareOfTheSize) {
   for (const Part part : {Part::whole, Part::half, Part::quarter})

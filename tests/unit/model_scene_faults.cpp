@@ -10,14 +10,15 @@
 #include <set>
 
 #include "model/scene/reader/reader.hpp"
+#include "model_faults.hpp"
 
 using namespace femsph;
 
 namespace {
 
-const std::string folder = FEMSPH_SOURCE_DIR "/tests/scenes/";
+using test::scenes_folder;
 
-std::string message_of(const std::string& file) {
+std::string message_of_file(const std::string& file) {
   try {
     read_scene(file);
   } catch (const InputError& e) {
@@ -91,7 +92,7 @@ std::string text_of(const std::string& file) {
 /// Whether the text is refused. Any other exception than InputError fails the test.
 bool refused(const std::string& text) {
   try {
-    parse_scene(text, folder + "mutated.toml");
+    parse_scene(text, scenes_folder + "mutated.toml");
   } catch (const InputError& e) {
     EXPECT_FALSE(e.faults().empty());
     EXPECT_EQ(std::string(e.what()).find('\0'), std::string::npos);
@@ -103,12 +104,13 @@ bool refused(const std::string& text) {
 }  // namespace
 
 TEST_P(BadScenes, GiveThisMessage) {
-  const std::string file = folder + "bad/" + GetParam().name + ".toml";
+  const std::string file = scenes_folder + "bad/" + GetParam().name + ".toml";
   std::string expected;
   for (const std::string& line : GetParam().lines)
     expected += (expected.empty() ? "" : "\n") + file + ":" + line;
-  if (const auto at = expected.find("FOLDER/"); at != std::string::npos) expected.replace(at, 7, folder);
-  EXPECT_EQ(message_of(file), expected);
+  if (const auto at = expected.find("FOLDER/"); at != std::string::npos)
+    expected.replace(at, 7, scenes_folder);
+  EXPECT_EQ(message_of_file(file), expected);
 }
 
 INSTANTIATE_TEST_SUITE_P(Faults, BadScenes, testing::ValuesIn(bad_scenes), [](const auto& info) {
@@ -117,24 +119,25 @@ INSTANTIATE_TEST_SUITE_P(Faults, BadScenes, testing::ValuesIn(bad_scenes), [](co
 
 TEST(BadScenes, AreAllTested) {
   std::set<std::string> files, tested;
-  for (const auto& entry : std::filesystem::directory_iterator(folder + "bad"))
+  for (const auto& entry : std::filesystem::directory_iterator(scenes_folder + "bad"))
     files.insert(entry.path().stem().string());
   for (const BadScene& bad : bad_scenes) tested.insert(bad.name);
   EXPECT_EQ(files, tested);
 }
 
 TEST(Faults, AFileThatIsNone) {
-  EXPECT_EQ(
-      message_of(folder + "none.toml"), folder + "none.toml: no such file; expected a scene file (TOML)");
-  EXPECT_EQ(message_of(folder + "bad"), folder + "bad: is a directory; expected a scene file (TOML)");
+  EXPECT_EQ(message_of_file(scenes_folder + "none.toml"),
+            scenes_folder + "none.toml: no such file; expected a scene file (TOML)");
+  EXPECT_EQ(message_of_file(scenes_folder + "bad"),
+            scenes_folder + "bad: is a directory; expected a scene file (TOML)");
 }
 
 TEST(Faults, APipeIsNotWaitedFor) {
   const std::string pipe = testing::TempDir() + "femsph_pipe.toml";
   std::remove(pipe.c_str());
   ASSERT_EQ(mkfifo(pipe.c_str(), 0600), 0);
-  EXPECT_EQ(message_of(pipe), pipe + ": is a pipe or a device; expected a scene file (TOML)");
-  EXPECT_EQ(message_of("/dev/zero"), "/dev/zero: is a pipe or a device; expected a scene file (TOML)");
+  EXPECT_EQ(message_of_file(pipe), pipe + ": is a pipe or a device; expected a scene file (TOML)");
+  EXPECT_EQ(message_of_file("/dev/zero"), "/dev/zero: is a pipe or a device; expected a scene file (TOML)");
   std::remove(pipe.c_str());
 }
 
@@ -147,7 +150,7 @@ TEST(Faults, SuggestionsFollowTheFourSlips) {
 
 // Deterministic: the same few hundred damaged files every time.
 TEST(Totality, DamagedFilesGiveASceneOrAnInputError) {
-  const std::string good = text_of(folder + "cantilever.toml");
+  const std::string good = text_of(scenes_folder + "cantilever.toml");
   const std::vector<std::string> words = {
       "\"",
       "[",

@@ -5,15 +5,16 @@
 
 #include "model/motion/effects/catalogue.hpp"
 #include "model/scene/reader/reader.hpp"
+#include "model_faults.hpp"
 
 using namespace femsph;
 using testing::ElementsAre;
 
 namespace {
 
-const std::string folder = FEMSPH_SOURCE_DIR "/tests/scenes/";
+using test::scenes_folder;
 
-Scene cantilever() { return read_scene(folder + "cantilever.toml"); }
+Scene cantilever() { return read_scene(scenes_folder + "cantilever.toml"); }
 
 }  // namespace
 
@@ -113,7 +114,7 @@ fix = ["x"]
 [time]
 duration = "1 s"
 )",
-                                  folder + "in_memory.toml");
+                                  scenes_folder + "in_memory.toml");
   EXPECT_EQ(scene.dim(), 3);
   EXPECT_EQ(scene.bodies.at(0).name, "upper") << "bodies keep the order of the file";
   EXPECT_NE(scene.bodies[0].shape->cells(), nullptr);

@@ -7,6 +7,7 @@
 
 #include <cmath>
 #include <map>
+#include <numbers>
 #include <set>
 
 #include "model/scene/shapes/quadrilateral.hpp"
@@ -19,7 +20,7 @@ namespace {
 using test::Measured, test::measured, test::shape_fault, testing::ElementsAre, testing::HasSubstr;
 using Part = Round::Part;
 
-const double pi = std::acos(-1.0);
+using std::numbers::pi;
 
 std::vector<Round> samples(int dim) {
   std::vector<Round> all;

@@ -20,21 +20,22 @@
 #include "model/scene/shapes/child.hpp"
 #include "model/scene/shapes/mesh.hpp"
 #include "model/scene/shapes/multilinear.hpp"
+#include "model_faults.hpp"
 
 using namespace femsph;
 using testing::ElementsAre;
 
 namespace {
 
-const std::string folder = FEMSPH_SOURCE_DIR "/tests/scenes/";
+using test::scenes_folder;
 constexpr double near = 1e-9;
 
-MeshShape l_shape() { return {read_gmsh(folder + "l_shape.msh", 2, 1e-3), "l_shape.msh"}; }
-MeshShape two_hexes() { return {read_gmsh(folder + "two_hexes.msh", 3, 1.0), "two_hexes.msh"}; }
+MeshShape l_shape() { return {read_gmsh(scenes_folder + "l_shape.msh", 2, 1e-3), "l_shape.msh"}; }
+MeshShape two_hexes() { return {read_gmsh(scenes_folder + "two_hexes.msh", 3, 1.0), "two_hexes.msh"}; }
 
 std::string complaint(const std::string& file, int dim) {
   try {
-    read_gmsh(folder + file, dim, 1.0);
+    read_gmsh(scenes_folder + file, dim, 1.0);
   } catch (const std::runtime_error& e) {
     return e.what();
   }
@@ -124,38 +125,39 @@ TEST(Multilinear, FindsPointsOfADistortedHexahedron) {
 
 TEST(Gmsh, RefusesOtherCellsWithOneSentence) {
   const std::string quads = "linear quadrilaterals (in Gmsh: Recombine Surface, first order)";
-  EXPECT_EQ(complaint("triangles.msh", 2),
-            "\"" + folder + "triangles.msh\" holds cells of type \"Triangle 3\"; expected only " + quads);
+  EXPECT_EQ(
+      complaint("triangles.msh", 2),
+      "\"" + scenes_folder + "triangles.msh\" holds cells of type \"Triangle 3\"; expected only " + quads);
   EXPECT_EQ(complaint("two_hexes.msh", 2),
-            "\"" + folder +
+            "\"" + scenes_folder +
                 "two_hexes.msh\" holds cells of type \"Hexahedron 8\" in a plane scene; expected " + quads);
   EXPECT_EQ(complaint("l_shape.msh", 3),
-            "\"" + folder +
+            "\"" + scenes_folder +
                 "l_shape.msh\" holds no 3-dimensional cells; expected linear "
                 "hexahedra (in Gmsh: transfinite or extruded recombined "
                 "volumes, first order)");
-  EXPECT_EQ(complaint("bow_tie.msh", 2), "cell 1 of \"" + folder +
+  EXPECT_EQ(complaint("bow_tie.msh", 2), "cell 1 of \"" + scenes_folder +
                                              "bow_tie.msh\" is folded or flat (its Jacobian is not positive "
                                              "at every Gauss point); expected convex cells");
   EXPECT_EQ(complaint("upright.msh", 2),
-            "\"" + folder + "upright.msh\" leaves the plane z = 0; expected a plane mesh in x and y");
-  EXPECT_EQ(
-      complaint("none.msh", 2), "no such file \"" + folder + "none.msh\"; expected a .msh file of Gmsh");
+            "\"" + scenes_folder + "upright.msh\" leaves the plane z = 0; expected a plane mesh in x and y");
+  EXPECT_EQ(complaint("none.msh", 2),
+            "no such file \"" + scenes_folder + "none.msh\"; expected a .msh file of Gmsh");
   EXPECT_EQ(complaint("not_a_mesh.msh", 2),
-            "\"" + folder + "not_a_mesh.msh\" is not a .msh file; expected a mesh saved by Gmsh");
+            "\"" + scenes_folder + "not_a_mesh.msh\" is not a .msh file; expected a mesh saved by Gmsh");
   EXPECT_EQ(complaint("cantilever.toml", 2),
-            "\"" + folder + "cantilever.toml\" is not a .msh file; expected a mesh saved by Gmsh");
+            "\"" + scenes_folder + "cantilever.toml\" is not a .msh file; expected a mesh saved by Gmsh");
 }
 
 TEST(Gmsh, EveryVersionOfTheFormat) {
-  const CellMesh original = read_gmsh(folder + "l_shape.msh", 2, 1.0);
+  const CellMesh original = read_gmsh(scenes_folder + "l_shape.msh", 2, 1.0);
   for (const double version : {1.0, 2.2, 4.0, 4.1})
     for (const double binary : {0.0, 1.0}) {
       if (version == 4.0 && binary == 1.0) continue;  // Gmsh does not write it
       const std::string file = testing::TempDir() + "femsph_l_shape_again.msh";
       gmsh::initialize(0, nullptr, false);
       gmsh::option::setNumber("General.Terminal", 0);
-      gmsh::open(folder + "l_shape.msh");
+      gmsh::open(scenes_folder + "l_shape.msh");
       gmsh::option::setNumber("Mesh.MshFileVersion", version);
       gmsh::option::setNumber("Mesh.Binary", binary);
       gmsh::write(file);
@@ -169,7 +171,7 @@ TEST(Gmsh, EveryVersionOfTheFormat) {
 }
 
 TEST(Gmsh, MeshWithoutGroups) {
-  const CellMesh mesh = read_gmsh(folder + "no_groups.msh", 2, 1.0);
+  const CellMesh mesh = read_gmsh(scenes_folder + "no_groups.msh", 2, 1.0);
   EXPECT_EQ(mesh.cells.size(), 2u);
   EXPECT_EQ(mesh.facets.size(), 0u);
   EXPECT_EQ(mesh.groups.size(), 0u);
@@ -184,10 +186,11 @@ TEST(GmshSlow, DamagedFilesAreRefusedWithOneSentence) {
     std::ifstream in(name, std::ios::binary);
     return std::string(std::istreambuf_iterator<char>(in), {});
   };
-  std::array<std::string, 3> originals = {content(folder + "l_shape.msh"), content(folder + "two_hexes.msh")};
+  std::array<std::string, 3> originals = {
+      content(scenes_folder + "l_shape.msh"), content(scenes_folder + "two_hexes.msh")};
   gmsh::initialize(0, nullptr, false);
   gmsh::option::setNumber("General.Terminal", 0);
-  gmsh::open(folder + "l_shape.msh");
+  gmsh::open(scenes_folder + "l_shape.msh");
   gmsh::option::setNumber("Mesh.Binary", 1);
   gmsh::write(file);
   gmsh::finalize();

@@ -24,7 +24,7 @@ using ::testing::SizeIs;
 using ::testing::StartsWith;
 
 /// 1000 x 100 x 100 mm of steel (in space 100 mm deep), with nothing on it.
-Scene beam(int dim = 2) {
+Scene beam_of(int dim = 2) {
   Scene scene;
   scene.plane = dim == 2 ? Plane::stress : Plane::none;
   scene.materials["steel"] = {"steel", 2.1e11, 0.3, 7850};
@@ -33,7 +33,7 @@ Scene beam(int dim = 2) {
   return scene;
 }
 Scene cantilever() {
-  Scene scene = beam();
+  Scene scene = beam_of();
   scene.supports.push_back({Place{0, {"x-"}, {}, {}}, {true, true, false}});
   scene.loads.push_back({Place{0, {"x+", "y+"}, {}, {}}, {0, -25e3, 0}, {}});
   return scene;
@@ -84,7 +84,7 @@ TEST(Singular, AForceOnASideHasItsLimit) {
 }
 
 TEST(Singular, InSpaceALineIsNoSide) {
-  Scene scene = beam(3);
+  Scene scene = beam_of(3);
   scene.loads.push_back({Place{0, {"x+", "y+"}, {}, {}}, {0, -1, 0}, {}});
   read(scene, "edge", quantity_named("velocity"), {1, 0.1, 0.03});
   read(scene, "middle", quantity_named("velocity"), {1, 0.05, 0.03});
@@ -95,7 +95,7 @@ TEST(Singular, InSpaceALineIsNoSide) {
 }
 
 TEST(Singular, ADiscsLowestPlaceIsAPoint) {
-  Scene scene = beam();
+  Scene scene = beam_of();
   scene.bodies[0].shape = std::make_shared<Round>(
       2, Round::Size{{0, 0, 0}, 0, 0.1, 0, 2, Round::Part::whole});
   scene.loads.push_back({Place{0, {"y+"}, {}, {}}, {0, -1, 0}, {}});
@@ -108,7 +108,7 @@ TEST(Singular, ADiscsLowestPlaceIsAPoint) {
 // Three-point bending: the whole beam sinks into its supports; the pin's x bears nothing, since nothing acts
 // along x and it alone holds it.
 TEST(Singular, PointSupportsThatBearAReaction) {
-  Scene scene = beam();
+  Scene scene = beam_of();
   scene.supports.push_back({Place{0, {}, Point{0.1, 0, 0}, {}}, {true, true, false}});
   scene.supports.push_back({Place{0, {}, Point{0.9, 0, 0}, {}}, {false, true, false}});
   scene.loads.push_back({Place{0, {"y+"}, {}, {}}, {0, -1, 0}, {}});
@@ -125,7 +125,7 @@ TEST(Singular, PointSupportsThatBearAReaction) {
 
 // A bar that a single point keeps from sliding: no force acts across it.
 TEST(Singular, APointSupportThatBearsNothing) {
-  Scene scene = beam();
+  Scene scene = beam_of();
   scene.supports.push_back({Place{0, {"x-"}, {}, {}}, {true, false, false}});
   scene.supports.push_back({Place{0, {"x-", "y-"}, {}, {}}, {false, true, false}});
   scene.loads.push_back({Place{0, {"x+"}, {}, {}}, {1e3, 0, 0}, {}});
@@ -175,7 +175,7 @@ TEST(Singular, StressWhereAClampEnds) {
 }
 
 TEST(Singular, StressWhereAHeldPatchEnds) {
-  Scene scene = beam();
+  Scene scene = beam_of();
   scene.supports.push_back(
       {Place{0, {"y-"}, {}, {}, Region{{0, 0, 0}, {0.2, 0.1, 0}}}, {false, true, false}});
   read(scene, "end", quantity_named("stress"), {0.2, 0, 0});
@@ -185,7 +185,7 @@ TEST(Singular, StressWhereAHeldPatchEnds) {
 
 // An L of three squares: its inner corner takes 270 degrees.
 TEST(Singular, StressInAReentrantCorner) {
-  Scene scene = beam();
+  Scene scene = beam_of();
   CellMesh mesh;
   mesh.vertices = {{0, 0, 0}, {1, 0, 0}, {2, 0, 0}, {0, 1, 0}, {1, 1, 0}, {2, 1, 0}, {0, 2, 0}, {1, 2, 0}};
   mesh.cells = {{0, 1, 3, 4}, {1, 2, 4, 5}, {3, 4, 6, 7}};

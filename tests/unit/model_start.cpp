@@ -152,8 +152,8 @@ Scene stretched_masses() {
   return s;
 }
 
-struct Marched {
-  explicit Marched(const Scene& s, const MarchOptions& options = {})
+struct Started {
+  explicit Started(const Scene& s, const MarchOptions& options = {})
       : march(s, test::bodies_of(std::make_unique<Dumbbell>()), options) {
     MarchEvents events;
     events.sample = [&](const March& now) {
@@ -174,7 +174,7 @@ struct Marched {
 TEST(Start, MovedSupportPullsAndTheLedgerCountsItsWork) {
   Scene s = two_masses(1.0);
   s.supports.push_back({Place{0, {"x+"}, {}, {}}, {true, false, false}, {}, false, {0.5, 0, 0}, {}});
-  const Marched r(s);
+  const Started r(s);
   const double t = r.march.time(), dt = r.march.dt(), omega = std::sqrt(k / m),
                discrete = 2 / dt * std::asin(omega * dt / 2);
   EXPECT_NEAR(r.u(2), 0.5 * t, 1e-12);
@@ -194,14 +194,14 @@ TEST(Start, MovedSupportFollowsItsHistory) {
   s.damping = 3.0;
   MarchOptions options;
   options.step = 0.05;  // the kinks of the history are whole steps, and the midpoint rule is exact
-  const Marched r(s, options);
+  const Started r(s, options);
   EXPECT_NEAR(r.u(2), 0.3 * 0.5, 1e-14);
   EXPECT_LT(r.worst, 1e-13 * r.most);
 }
 
 TEST(Start, InitialStretchSwingsAndItsEnergyIsCounted) {
   Scene s = stretched_masses();
-  const Marched r(s);
+  const Started r(s);
   const double dt = r.march.dt(), omega = std::sqrt(2 * k / m), discrete = 2 / dt * std::asin(omega * dt / 2);
   EXPECT_NEAR(r.march.ledger().initial, 0.5 * k * 0.01, 1e-12 * k);  // at rest
   // What the leap-frog adds to the kinetic energy, 1/2 v-.M v+ - 1/2 v.M v = -1/8 dt^2 a.M a, less what it
@@ -216,7 +216,7 @@ TEST(Start, InitialStretchSwingsAndItsEnergyIsCounted) {
 TEST(Start, SupportsHoldTheInitialDisplacement) {
   Scene s = stretched_masses();
   s.supports.push_back({Place{0, {"x+"}, {}, {}}, {true, false, false}});
-  const Marched r(s);
+  const Started r(s);
   const double dt = r.march.dt(), omega = std::sqrt(k / m), discrete = 2 / dt * std::asin(omega * dt / 2);
   EXPECT_EQ(r.u(2), 0.1);
   EXPECT_NEAR(r.u(0), 0.1 * (1 - std::cos(discrete * r.march.time())), 1e-12);

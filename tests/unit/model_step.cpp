@@ -15,7 +15,7 @@ namespace {
 using testing::AllOf;
 using testing::HasSubstr;
 
-constexpr double mass_of_it = 2.0, omega = 20.0,
+constexpr double stepped_mass = 2.0, slow = 20.0,
                  fast = 400.0;  // 1/s; the critical step is 2 / fast = 0.005 s
 
 /// One point with a slow spring along x and a fast one along y, which stiffens with the square of x if it is
@@ -25,7 +25,7 @@ constexpr double mass_of_it = 2.0, omega = 20.0,
 class Springs : public test::OneMass {
  public:
   Springs(double reach, bool coupled, double viscosity = 0)
-      : OneMass(mass_of_it), reach_(reach), viscosity_(viscosity), coupled_(coupled) {}
+      : OneMass(stepped_mass), reach_(reach), viscosity_(viscosity), coupled_(coupled) {}
   void stiffness(const double* x, double* y) const override { y[0] = k * x[0], y[1] = K * x[1]; }
   bool has_viscosity() const override { return viscosity_ > 0; }
   void damping_matrix(const double* x, double* y) const override {
@@ -50,17 +50,17 @@ class Springs : public test::OneMass {
   mutable long asked = 0;
 
  private:
-  static constexpr double k = mass_of_it * omega * omega, K = mass_of_it * fast * fast;
+  static constexpr double k = stepped_mass * slow * slow, K = stepped_mass * fast * fast;
   double ratio(const double* u) const { return coupled_ ? 1 + 3 * u[0] * u[0] / (reach_ * reach_) : 1.0; }
   double reach_, viscosity_;
   bool coupled_;
 };
 
-/// Starts at 1 m/s along x, and a little along y: x swings to 1 / omega.
-Scene moving(double duration) { return test::flying_masses(duration, {1, 0.01, 0}); }
+/// Starts at 1 m/s along x, and a little along y: x swings to 1 / slow.
+Scene swinging(double duration) { return test::flying_masses(duration, {1, 0.01, 0}); }
 
-struct Marching : test::Stop {
-  Marching(Scene s, std::unique_ptr<Springs> body, MarchOptions options = {})
+struct Stepped : test::Stop {
+  Stepped(Scene s, std::unique_ptr<Springs> body, MarchOptions options = {})
       : scene(std::move(s)), spring(body.get()), march(scene, test::bodies_of(std::move(body)), options) {}
   void run() {
     MarchEvents events;
@@ -79,14 +79,14 @@ struct Marching : test::Stop {
   double imbalance = 0;
 };
 
-constexpr double amplitude = 1 / omega;
+constexpr double amplitude = 1 / slow;
 
 // The leap-frog's ledger of linear springs closes to round-off whatever the step; so it must when the step
 // changes on the way, damped or not.
 TEST(Step, LedgerClosesToRoundOffThroughEveryChange) {
   for (const double rate : {0.0, 0.3})
     for (const double viscosity : {0.0, 0.8}) {
-      Scene s = moving(10);
+      Scene s = swinging(10);
       if (rate > 0) s.damping = rate;
       s.samples = 500;
       Load load;
@@ -94,7 +94,7 @@ TEST(Step, LedgerClosesToRoundOffThroughEveryChange) {
       load.history.time = {0, 7};
       load.history.factor = {0, 1};
       s.loads.push_back(load);
-      Marching r(s, std::make_unique<Springs>(amplitude, false, viscosity));
+      Stepped r(s, std::make_unique<Springs>(amplitude, false, viscosity));
       r.run();
       EXPECT_FALSE(r.watch) << r.message;
       EXPECT_GT(r.march.step_changes(), 10) << rate << " " << viscosity;
@@ -105,21 +105,21 @@ TEST(Step, LedgerClosesToRoundOffThroughEveryChange) {
     }
 }
 
-// x = sin(omega t) / omega. Steps that fall to half keep the order of the leap-frog: a tenth of the step, a
+// x = sin(slow t) / slow. Steps that fall to half keep the order of the leap-frog: a tenth of the step, a
 // hundredth of the error.
 TEST(Step, MotionIsOfSecondOrder) {
   double error[2];
   for (int k = 0; k < 2; ++k) {
     MarchOptions options;
     options.safety = k == 0 ? 0.9 : 0.09;
-    Scene s = moving(3);
+    Scene s = swinging(3);
     s.samples = 50;
-    Marching r(s, std::make_unique<Springs>(amplitude, false), options);
+    Stepped r(s, std::make_unique<Springs>(amplitude, false), options);
     r.run();
     EXPECT_GT(r.march.step_changes(), 10);
     error[k] = 0;
     for (std::size_t i = 0; i < r.u.size(); ++i)
-      error[k] = std::max(error[k], omega * std::abs(r.u[i] - amplitude * std::sin(omega * r.time[i])));
+      error[k] = std::max(error[k], slow * std::abs(r.u[i] - amplitude * std::sin(slow * r.time[i])));
   }
   EXPECT_LT(error[0], 0.03);
   EXPECT_GT(error[0] / error[1], 70);
@@ -128,7 +128,7 @@ TEST(Step, MotionIsOfSecondOrder) {
 // At x = amplitude the fast spring is 4 times as stiff: no step above 0.0025 s there. The march follows; a
 // fixed one is stopped on the way there.
 TEST(Step, HoldsTheLimitWhereAFixedStepIsStopped) {
-  Marching follows(moving(20), std::make_unique<Springs>(amplitude, true));
+  Stepped follows(swinging(20), std::make_unique<Springs>(amplitude, true));
   follows.run();
   EXPECT_FALSE(follows.watch) << follows.message;
   EXPECT_LT(follows.march.smallest_step(), 0.9 * 0.0025 * 1.05);
@@ -137,22 +137,22 @@ TEST(Step, HoldsTheLimitWhereAFixedStepIsStopped) {
 
   MarchOptions fixed;
   fixed.step = 0.0045;
-  Marching stopped(moving(20), std::make_unique<Springs>(amplitude, true), fixed);
+  Stepped stopped(swinging(20), std::make_unique<Springs>(amplitude, true), fixed);
   stopped.run();
   ASSERT_EQ(stopped.watch, Stopped::Watch::step) << stopped.message;
   EXPECT_THAT(stopped.message,
               AllOf(HasSubstr("body \"body\", spring 3 at (0.5"),
                     HasSubstr("the step of 0.0045 s is over the limit"), HasSubstr("march without --step")));
-  EXPECT_LT(stopped.march.time(), 0.25 * 2 * 3.1416 / omega);  // before x is largest for the first time
+  EXPECT_LT(stopped.march.time(), 0.25 * 2 * 3.1416 / slow);  // before x is largest for the first time
   fixed.step = 0.0022;
-  Marching small(moving(20), std::make_unique<Springs>(amplitude, true), fixed);
+  Stepped small(swinging(20), std::make_unique<Springs>(amplitude, true), fixed);
   small.run();
   EXPECT_FALSE(small.watch) << small.message;
   EXPECT_EQ(small.march.step_changes(), 0);
 }
 
 TEST(Step, AVanishingOneIsStopped) {
-  Marching r(moving(10), std::make_unique<Springs>(amplitude / 200, false));
+  Stepped r(swinging(10), std::make_unique<Springs>(amplitude / 200, false));
   r.run();
   ASSERT_EQ(r.watch, Stopped::Watch::step) << r.message;
   EXPECT_THAT(r.message, AllOf(HasSubstr("crushed so far that the largest stable step has fallen to"),
@@ -160,23 +160,23 @@ TEST(Step, AVanishingOneIsStopped) {
 }
 
 TEST(Step, IsNotAskedForWhereNothingStiffens) {
-  Marching stays(moving(50), std::make_unique<Springs>(0, false));
+  Stepped stays(swinging(50), std::make_unique<Springs>(0, false));
   stays.run();
   EXPECT_EQ(stays.spring->asked, 1);  // once, before the first step
   EXPECT_FALSE(stays.march.follows_deformation());
   EXPECT_EQ(stays.march.smallest_step(), stays.march.dt());
-  Scene small = moving(50);
+  Scene small = swinging(50);
   small.large_motion = false;
-  Marching unasked(small, std::make_unique<Springs>(amplitude, false));
+  Stepped unasked(small, std::make_unique<Springs>(amplitude, false));
   unasked.run();
   EXPECT_EQ(unasked.spring->asked, 0);
 }
 
 // Samples come at the pace that was asked for, however the step shrinks.
 TEST(Step, SamplesKeepTheirPace) {
-  Scene s = moving(10);
+  Scene s = swinging(10);
   s.samples = 20;
-  Marching r(s, std::make_unique<Springs>(amplitude / 3, false));
+  Stepped r(s, std::make_unique<Springs>(amplitude / 3, false));
   r.run();
   EXPECT_LT(r.march.smallest_step(), 0.001);
   EXPECT_GE(r.time.size(), 20u);
@@ -187,14 +187,14 @@ TEST(Step, SamplesKeepTheirPace) {
 // A march restored between two changes of the step goes on to the same bits.
 TEST(Step, IsPartOfTheState) {
   const auto scene = [] {
-    Scene s = moving(3);
+    Scene s = swinging(3);
     s.samples = 100;
     return s;
   };
-  Marching whole(scene(), std::make_unique<Springs>(amplitude, true));
+  Stepped whole(scene(), std::make_unique<Springs>(amplitude, true));
   whole.run();
   ASSERT_GT(whole.march.step_changes(), 10);
-  Marching first(scene(), std::make_unique<Springs>(amplitude, true)),
+  Stepped first(scene(), std::make_unique<Springs>(amplitude, true)),
       second(scene(), std::make_unique<Springs>(amplitude, true));
   MemoryArchive archive;
   struct Enough {};

@@ -16,21 +16,21 @@ namespace {
 using testing::AllOf;
 using testing::HasSubstr;
 
-constexpr double mass_of_it = 2.0, spring = 800.0;  // the critical step is 2 sqrt(m / k) = 0.1 s
+constexpr double watched_mass = 2.0, spring_rate = 800.0;  // the critical step is 2 sqrt(m / k) = 0.1 s
 
 /// m u'' = -k u on one point, with something added.
 class Mass : public test::OneMass {
  public:
-  Mass() : OneMass(mass_of_it) {}
-  void stiffness(const double* x, double* y) const override { y[0] = spring * x[0], y[1] = 0; }
+  Mass() : OneMass(watched_mass) {}
+  void stiffness(const double* x, double* y) const override { y[0] = spring_rate * x[0], y[1] = 0; }
   void internal_force(const double* u, const double* v, double dt, double* f, double*) override {
     if (!std::isfinite(u[0])) ++calls_after_nan;
     remembered += dt;
-    f[0] = -spring * u[0] + added(u[0], v[0]);
+    f[0] = -spring_rate * u[0] + added(u[0], v[0]);
     f[1] = 0;
   }
   Energies energies(const double* u) const override {
-    return {0.5 * spring * u[0] * u[0] + added_energy(u[0])};
+    return {0.5 * spring_rate * u[0] * u[0] + added_energy(u[0])};
   }
   void state(Archive& archive) override { archive("remembered", remembered); }
   virtual double added(double, double) const { return 0; }
@@ -42,13 +42,13 @@ class Mass : public test::OneMass {
 /// Half as stiff again beyond u = 0.01 m: the critical step there is 0.0816 s.
 class Stiffens : public Mass {
   double beyond(double u) const { return std::max(0.0, std::abs(u) - 0.01); }
-  double added(double u, double) const override { return -0.5 * spring * std::copysign(beyond(u), u); }
-  double added_energy(double u) const override { return 0.25 * spring * beyond(u) * beyond(u); }
+  double added(double u, double) const override { return -0.5 * spring_rate * std::copysign(beyond(u), u); }
+  double added_energy(double u) const override { return 0.25 * spring_rate * beyond(u) * beyond(u); }
 };
 
 /// A force along the velocity, which is in no energy: amplitude grows as exp(c t / 2 m).
 class Pushes : public Mass {
-  double added(double, double v) const override { return 0.05 * mass_of_it * v; }
+  double added(double, double v) const override { return 0.05 * watched_mass * v; }
 };
 
 class TurnsInsideOut : public Mass {
@@ -59,10 +59,10 @@ class TurnsInsideOut : public Mass {
   }
 };
 
-Scene moving(double duration) { return test::flying_masses(duration, {1, 0, 0}); }
+Scene watched(double duration) { return test::flying_masses(duration, {1, 0, 0}); }
 
-struct Marching : test::Stop {
-  Marching(Scene s, std::unique_ptr<Discretization> body, MarchOptions options = {})
+struct Watched : test::Stop {
+  Watched(Scene s, std::unique_ptr<Discretization> body, MarchOptions options = {})
       : scene(std::move(s)), march(scene, test::bodies_of(std::move(body)), options) {
     march.keep_good_states();
     MarchEvents events;
@@ -75,13 +75,13 @@ struct Marching : test::Stop {
 };
 
 TEST(Watch, LeavesASoundMarchAlone) {
-  const Marching r(moving(2000), std::make_unique<Mass>());
+  const Watched r(watched(2000), std::make_unique<Mass>());
   EXPECT_FALSE(r.watch) << r.message;
   EXPECT_GT(r.march.step(), 20000);
 }
 
 TEST(Watch, StepAboveTheCriticalOneIsToldByTheFrequencyOfWhatGrows) {
-  const Marching r(moving(100), std::make_unique<Stiffens>());
+  const Watched r(watched(100), std::make_unique<Stiffens>());
   ASSERT_EQ(r.watch, Stopped::Watch::step) << r.message;
   EXPECT_LE(r.march.step(), 50);
   // omega = sqrt(1.5 k / m) = 24.5 / s; --safety 0.8 x 0.0816 / 0.1 = 0.65
@@ -89,30 +89,30 @@ TEST(Watch, StepAboveTheCriticalOneIsToldByTheFrequencyOfWhatGrows) {
                                HasSubstr("point 0 at (0.5, 0.25, 0) m"), HasSubstr("try --safety 0.65")));
   MarchOptions smaller;
   smaller.safety = 0.2;
-  EXPECT_FALSE(Marching(moving(100), std::make_unique<Stiffens>(), smaller).watch);
+  EXPECT_FALSE(Watched(watched(100), std::make_unique<Stiffens>(), smaller).watch);
 }
 
 TEST(Watch, EnergyFromNowhere) {
-  const Marching r(moving(100), std::make_unique<Pushes>());
+  const Watched r(watched(100), std::make_unique<Pushes>());
   ASSERT_EQ(r.watch, Stopped::Watch::energy) << r.message;
   EXPECT_THAT(r.message, AllOf(HasSubstr("have come from nowhere"), HasSubstr("--safety")));
   EXPECT_LT(r.march.time(), 20);  // exp(0.05 t) - 1 has passed 5 % at 1 s
 }
 
 TEST(Watch, NotANumber) {
-  Scene s = moving(1000);
+  Scene s = watched(1000);
   Load load;
   load.force = {std::nan(""), 0, 0};
   load.history.time = {0, 500};
   load.history.factor = {1, 1};
   s.loads.push_back(load);
-  const Marching r(s, std::make_unique<Mass>());
+  const Watched r(s, std::make_unique<Mass>());
   ASSERT_EQ(r.watch, Stopped::Watch::not_a_number) << r.message;
   EXPECT_THAT(r.message, AllOf(HasSubstr("not a finite number"), HasSubstr("point 0 at")));
 }
 
 TEST(Watch, UnitsAreAskedInLargeMotionAndTheLastGoodStateComesBack) {
-  Marching r(moving(6000), std::make_unique<TurnsInsideOut>());
+  Watched r(watched(6000), std::make_unique<TurnsInsideOut>());
   ASSERT_EQ(r.watch, Stopped::Watch::unit) << r.message;
   EXPECT_THAT(r.message, AllOf(HasSubstr("cell 7 has turned inside out"), HasSubstr("try a finer mesh"),
                                HasSubstr("body \"body\", at (0.")));
@@ -124,14 +124,14 @@ TEST(Watch, UnitsAreAskedInLargeMotionAndTheLastGoodStateComesBack) {
   EXPECT_EQ(r.march.bodies()[0].u[0], r.u[std::size_t(good - 1)]);
   EXPECT_NEAR(
       dynamic_cast<const Mass&>(*r.march.bodies()[0].discretization).remembered, r.march.time(), 1e-6);
-  Scene small = moving(6000);
+  Scene small = watched(6000);
   small.large_motion = false;
-  const Marching unasked(small, std::make_unique<TurnsInsideOut>());
+  const Watched unasked(small, std::make_unique<TurnsInsideOut>());
   EXPECT_FALSE(unasked.watch);
 }
 
 TEST(Watch, MoreStepsThanAnyMachineMarchesAreRefused) {
-  EXPECT_THAT([] { Marching r(moving(1e12), std::make_unique<Mass>()); },
+  EXPECT_THAT([] { Watched r(watched(1e12), std::make_unique<Mass>()); },
               testing::ThrowsMessage<MotionError>(HasSubstr("which no machine marches")));
 }
 

@@ -14,7 +14,7 @@
 namespace femsph::test {
 namespace {
 
-struct Case {
+struct LockingCase {
   const char* name;
   Plane plane;
   bool large, lists;
@@ -22,8 +22,8 @@ struct Case {
   bool mirrored = false;
 };
 
-const std::vector<Case>& cases() {
-  static const std::vector<Case> all = {
+const std::vector<LockingCase>& locking_cases() {
+  static const std::vector<LockingCase> all = {
       {"plane strain", Plane::strain, false, false},
       {"plane strain, lists", Plane::strain, false, true},
       {"jittered", Plane::strain, false, true, 0.2},
@@ -35,14 +35,14 @@ const std::vector<Case>& cases() {
   return all;
 }
 
-Scene scene_of(const Case& c, double poisson = 0.49) {
+Scene scene_of(const LockingCase& c, double poisson = 0.49) {
   Scene s = box_scene(
       c.plane, c.plane == Plane::none ? Point{0.06, 0.05, 0.04} : Point{0.11, 0.08, 0}, c.large);
   s.materials["steel"].poisson = poisson;
   if (c.mirrored) s.symmetries.push_back({Place{0, {"x-"}, {}, {}, {}}});
   return s;
 }
-sph::Options options_of(const Case& c) {
+sph::Options options_of(const LockingCase& c) {
   sph::Options o = corrected(0.01);
   o.dilatation = sph::Dilatation::mean;
   o.force_lists = c.lists;
@@ -50,13 +50,13 @@ sph::Options options_of(const Case& c) {
   return o;
 }
 /// Normal motion of particles on the plane of symmetry is held by the march.
-void hold(const Case& c, const Discretization& d, AlignedVector<double>& x) {
+void hold(const LockingCase& c, const Discretization& d, AlignedVector<double>& x) {
   for (std::size_t i = 0; c.mirrored && i < d.layout().points; ++i)
     if (std::abs(d.position(i)[0] - 0.01) < 1e-9) x[d.layout().at(i, 0)] = 0;
 }
 
 TEST(MeanDilatation, ForceIsTheDerivativeOfTheEnergy) {
-  for (const Case& c : cases()) {
+  for (const LockingCase& c : locking_cases()) {
     const Scene scene = scene_of(c);
     const auto d = sph::discretize(scene, 0, options_of(c));
     auto u = random_vector(*d, 1, c.large ? 1e-3 : 1e-5), v = random_vector(*d, 2, 1.0);
@@ -74,7 +74,7 @@ TEST(MeanDilatation, ForceIsTheDerivativeOfTheEnergy) {
 }
 
 TEST(MeanDilatation, KeepsMomenta) {
-  for (const Case& c : cases()) {
+  for (const LockingCase& c : locking_cases()) {
     if (c.mirrored) continue;
     const auto d = sph::discretize(scene_of(c), 0, options_of(c));
     const auto u = random_vector(*d, 3, c.large ? 1e-3 : 1e-5), f = force(*d, u);
@@ -96,7 +96,7 @@ TEST(MeanDilatation, KeepsMomenta) {
 // Linear displacements: the mean is the value itself, so that force and stress are those of the particles'
 // own volumes.
 TEST(MeanDilatation, LeavesUniformStatesAlone) {
-  for (const Case& c : cases()) {
+  for (const LockingCase& c : locking_cases()) {
     if (c.mirrored) continue;
     sph::Options local = options_of(c);
     local.dilatation = sph::Dilatation::local;
@@ -117,7 +117,7 @@ TEST(MeanDilatation, LeavesUniformStatesAlone) {
 
 // A few points' state is that of all points'.
 TEST(MeanDilatation, StateOfSomePoints) {
-  for (const Case& c : cases()) {
+  for (const LockingCase& c : locking_cases()) {
     const auto d = sph::discretize(scene_of(c), 0, options_of(c));
     auto u = random_vector(*d, 4, c.large ? 1e-3 : 1e-5);
     hold(c, *d, u);
@@ -131,8 +131,8 @@ TEST(MeanDilatation, StateOfSomePoints) {
 
 // When it is taken: where the body keeps its volume.
 TEST(MeanDilatation, IsTakenWhereTheVolumeIsKept) {
-  const Case strain{"", Plane::strain, false, false}, stress{"", Plane::stress, false, false};
-  const auto memory = [&](const Case& c, double poisson, bool plastic, sph::Dilatation kind) {
+  const LockingCase strain{"", Plane::strain, false, false}, stress{"", Plane::stress, false, false};
+  const auto memory = [&](const LockingCase& c, double poisson, bool plastic, sph::Dilatation kind) {
     Scene s = scene_of(c, poisson);
     if (plastic) s.materials["steel"].parameters = Plasticity{3e8, 0};
     sph::Options o = corrected(0.01);

@@ -60,11 +60,11 @@ Scene scene_of(std::shared_ptr<const Shape> shape) {
   return s;
 }
 
-struct Case {
+struct FilledShape {
   const char* name;
   std::shared_ptr<const Shape> shape;
 };
-std::vector<Case> plane_cases() {
+std::vector<FilledShape> plane_cases() {
   using Part = Round::Part;
   return {{"box", std::make_shared<Box>(2, Point{0.3, -1, 0}, Point{2, 1, 0})},
           {"disc", std::make_shared<Ball>(2, Point{1, 2, 0}, 1.0)},
@@ -77,7 +77,7 @@ std::vector<Case> plane_cases() {
           {"tapered mesh", strip(16, 8, 0, 0.9)},
           {"meshed disc", mesh_of(Round(2, {{}, 0, 1, 0, 2, Part::whole}), 12)}};
 }
-std::vector<Case> solid_cases() {
+std::vector<FilledShape> solid_cases() {
   using Part = Round::Part;
   return {{"box", std::make_shared<Box>(3, Point{0.3, -1, 0}, Point{2, 1, 1})},
           {"sphere", std::make_shared<Ball>(3, Point{1, 2, 0}, 1.0)},
@@ -88,7 +88,7 @@ std::vector<Case> solid_cases() {
           {"meshed ball", mesh_of(OwnBall({{}, 1, 2, Part::whole, 1}), 6)}};
 }
 
-void expect_weight(const Case& c, double spacing, bool fitted) {
+void expect_weight(const FilledShape& c, double spacing, bool fitted) {
   const Scene scene = scene_of(c.shape);
   for (const char* formulation : {"corrected", "classic"}) {
     sph::Options o;
@@ -103,10 +103,10 @@ void expect_weight(const Case& c, double spacing, bool fitted) {
 }
 
 TEST(FillingSlow, MassAndCentreAreThoseOfTheBody) {
-  for (const Case& c : plane_cases())
+  for (const FilledShape& c : plane_cases())
     for (const double spacing : {0.2, 0.13, 0.07})
       for (const bool fitted : {true, false}) expect_weight(c, spacing, fitted);
-  for (const Case& c : solid_cases())
+  for (const FilledShape& c : solid_cases())
     for (const double spacing : {0.31, 0.23})
       for (const bool fitted : {true, false}) expect_weight(c, spacing, fitted);
 }

@@ -12,9 +12,6 @@
 namespace femsph::test {
 namespace {
 
-constexpr double infinite = std::numeric_limits<double>::infinity(),
-                 nan = std::numeric_limits<double>::quiet_NaN();
-
 /// Scattered points: most in a box, some far, some very far, some not finite.
 std::vector<Point> scattered(std::size_t count, int dim, double far) {
   std::mt19937 random(5);

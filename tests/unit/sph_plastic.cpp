@@ -9,7 +9,7 @@
 namespace femsph::test {
 namespace {
 
-Scene plastic_scene(Plane plane, bool large) {
+Scene yielding_block(Plane plane, bool large) {
   Scene s = box_scene(plane, plane == Plane::none ? Point{0.06, 0.05, 0.04} : Point{0.08, 0.06, 0}, large);
   s.materials.at("steel").parameters = Plasticity{300e6, 2.1e11 / 99};
   return s;
@@ -18,7 +18,7 @@ Scene plastic_scene(Plane plane, bool large) {
 TEST(Plastic, UniformStretchGivesTheStressOfTheLaw) {
   for (Plane plane : {Plane::stress, Plane::strain, Plane::none})
     for (bool large : {false, true}) {
-      const Scene scene = plastic_scene(plane, large);
+      const Scene scene = yielding_block(plane, large);
       const auto d = sph::discretize(scene, 0, corrected(0.01));
       double volume = 0;
       for (std::size_t i = 0; i < d->material_points(); ++i) volume += d->material_volume(i);
@@ -30,7 +30,7 @@ TEST(Plastic, UniformStretchGivesTheStressOfTheLaw) {
 TEST(Plastic, LatticeEqualsLists) {
   for (Plane plane : {Plane::stress, Plane::strain, Plane::none})
     for (bool large : {false, true}) {
-      const Scene scene = plastic_scene(plane, large);
+      const Scene scene = yielding_block(plane, large);
       sph::Options options = corrected(0.005);
       const auto lattice = sph::discretize(scene, 0, options);
       options.force_lists = true;
@@ -55,13 +55,13 @@ TEST(Plastic, LatticeEqualsLists) {
 
 TEST(Plastic, TurningTheBodyChangesNothing) {
   for (Plane plane : {Plane::stress, Plane::none})
-    expect_turning_changes_nothing(*sph::discretize(plastic_scene(plane, true), 0, corrected(0.01)));
+    expect_turning_changes_nothing(*sph::discretize(yielding_block(plane, true), 0, corrected(0.01)));
 }
 
 // Classic SPH with updated neighbours, inside the body: the law gets the same strain, to the size of the
 // strain. The work of the stress is stored energy and plastic work.
 TEST(Plastic, UpdatedNeighboursSeeThePlasticLaw) {
-  Scene scene = plastic_scene(Plane::stress, true);
+  Scene scene = yielding_block(Plane::stress, true);
   const auto d = sph::discretize(scene, 0, classic(0.005, sph::MassRule::full));
   const int steps = 100;
   const double a = 0.004, dt = 1e-7;

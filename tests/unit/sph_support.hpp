@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <limits>
 #include <random>
 
 #include "model/numerics/array.hpp"
@@ -17,6 +18,9 @@
 #include "state_of.hpp"
 
 namespace femsph::test {
+
+inline constexpr double infinite = std::numeric_limits<double>::infinity(),
+                        nan = std::numeric_limits<double>::quiet_NaN();
 
 inline Scene box_scene(Plane plane, Point size, bool large = false) {
   Scene s;

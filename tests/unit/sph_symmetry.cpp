@@ -13,16 +13,16 @@
 namespace femsph::test {
 namespace {
 
-struct Case {
+struct HalfCase {
   const char* name;
   Plane plane;
   std::vector<const char*> planes;
   sph::Options options;
 };
 
-std::vector<Case> cases() {
+std::vector<HalfCase> half_cases() {
   using sph::Boundary, sph::MassRule;
-  std::vector<Case> out;
+  std::vector<HalfCase> out;
   const std::vector<std::pair<const char*, sph::Options>> options{
       {"share", classic(0.01, MassRule::share)},
       {"full", classic(0.01, MassRule::full)},
@@ -47,7 +47,7 @@ struct Pair {
   Scene half, whole;
   std::vector<std::pair<int, double>> planes;  ///< axis, position
 
-  Pair(const Case& c, bool large) {
+  Pair(const HalfCase& c, bool large) {
     const int dim = c.plane == Plane::none ? 3 : 2;
     const Point size = dim == 3 ? Point{0.07, 0.05, 0.06} : Point{0.13, 0.11, 0};
     half = whole = box_scene(c.plane, size, large);
@@ -101,7 +101,7 @@ std::pair<std::size_t, Point> image(const Pair& pair,
   return {in_half.at(key(p)), sign};
 }
 
-void compare_half_and_whole(const Case& c, bool large) {
+void compare_half_and_whole(const HalfCase& c, bool large) {
   const Pair pair(c, large);
   const auto half = sph::discretize(pair.half, 0, c.options),
              whole = sph::discretize(pair.whole, 0, c.options);
@@ -153,18 +153,18 @@ void compare_half_and_whole(const Case& c, bool large) {
 }
 
 TEST(SphSymmetry, HalfEqualsWhole) {
-  for (const Case& c : cases()) compare_half_and_whole(c, false);
+  for (const HalfCase& c : half_cases()) compare_half_and_whole(c, false);
 }
 
 TEST(SphSymmetry, HalfEqualsWholeWithFiniteRotation) {
-  for (const Case& c : cases())
+  for (const HalfCase& c : half_cases())
     if (c.options.formulation == "corrected") compare_half_and_whole(c, true);
 }
 
 // The stiffness that bounds the step is the derivative of the force at rest, bars and mirrored particles
 // included.
 TEST(SphSymmetry, StiffnessIsTheForceOfALinearBody) {
-  for (const Case& c : cases()) {
+  for (const HalfCase& c : half_cases()) {
     if (c.options.viscosity.on()) continue;
     const Pair pair(c, false);
     const auto d = sph::discretize(pair.half, 0, c.options);
@@ -182,7 +182,7 @@ TEST(SphSymmetry, StiffnessIsTheForceOfALinearBody) {
 // With finite rotation the force is still the derivative of the energy: central differences, error of order
 // step^2.
 TEST(SphSymmetry, ForceOfBarsIsTheDerivativeOfTheirEnergy) {
-  for (Case c : cases()) {
+  for (HalfCase c : half_cases()) {
     if (c.options.formulation != "corrected" || c.options.force_lists) continue;
     c.options.hourglass = 0;
     const Pair pair(c, true);
@@ -200,7 +200,7 @@ TEST(SphSymmetry, ForceOfBarsIsTheDerivativeOfTheirEnergy) {
 }
 
 TEST(SphSymmetry, WhatCannotBeMirroredIsRefused) {
-  Case c{"", Plane::stress, {"x-", "x+"}, corrected(0.01)};
+  HalfCase c{"", Plane::stress, {"x-", "x+"}, corrected(0.01)};
   Pair pair(c, false);
   pair.half.bars.clear();
   pair.half.bodies[0].shape = std::make_shared<Box>(2, Point{}, Point{0.01, 0.1, 0});

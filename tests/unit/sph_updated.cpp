@@ -10,9 +10,6 @@
 namespace femsph::test {
 namespace {
 
-constexpr double infinite = std::numeric_limits<double>::infinity(),
-                 nan = std::numeric_limits<double>::quiet_NaN();
-
 /// The velocity of the step of length dt (s) from `before` to u, where the next step begins.
 AlignedVector<double> velocity_to(const AlignedVector<double>& u, AlignedVector<double>& before, double dt) {
   AlignedVector<double> v = u;

@@ -3,30 +3,16 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include <array>
-#include <cstdio>
-
+#include "program_output.hpp"
 #include "tests/verification/interrupted.hpp"
 
 namespace {
 
 namespace fs = std::filesystem;
+using femsph::test::Outcome;
+using femsph::test::run_femsph;
 using testing::HasSubstr;
 using testing::Not;
-
-struct Outcome {
-  int code;
-  std::string text;
-};
-
-Outcome femsph(const std::string& arguments) {
-  Outcome o{-1, {}};
-  FILE* pipe = popen((std::string(FEMSPH_PROGRAM) + " " + arguments + " 2>&1").c_str(), "r");
-  std::array<char, 4096> buffer;
-  while (const std::size_t n = fread(buffer.data(), 1, buffer.size(), pipe)) o.text.append(buffer.data(), n);
-  o.code = WEXITSTATUS(pclose(pipe));
-  return o;
-}
 
 class CommandLine : public testing::Test {
  protected:
@@ -76,7 +62,7 @@ TEST_F(CommandLine, BadCommandsExitWithTwo) {
       {"study uniaxial --quick --update-readme --out " + path("out"), "--update-readme with --quick"},
   };
   for (const auto& [arguments, message] : bad) {
-    const Outcome o = femsph(arguments);
+    const Outcome o = run_femsph(arguments);
     EXPECT_EQ(o.code, 2) << arguments << "\n" << o.text;
     EXPECT_THAT(o.text, HasSubstr(message)) << arguments;
   }
@@ -89,13 +75,13 @@ TEST_F(CommandLine, ScenesThatAMethodRefusesExitWithThree) {
     std::string text = read("bar.toml");
     return text.replace(text.find("plane = \"stress\""), 16, "plane = \"stress\"\nmotion = \"large\"");
   }());
-  const Outcome o = femsph(
+  const Outcome o = run_femsph(
       "run " + large + " --solver sph-classic-share --spacing '2.5 mm' --out " + path("out"));
   EXPECT_EQ(o.code, 3) << o.text;
   EXPECT_EQ(o.text,
             "femsph: symmetry planes and bars stand on initial neighbours; classic SPH with large motion "
             "cannot use them\n");
-  const Outcome coarse = femsph("check " + bar() + " --solver fem --spacing '1 m'");
+  const Outcome coarse = run_femsph("check " + bar() + " --solver fem --spacing '1 m'");
   EXPECT_EQ(coarse.code, 3) << coarse.text;
   EXPECT_THAT(coarse.text, HasSubstr("a spacing of 1000 mm does not fit a body 40 mm long along x"));
 }
@@ -122,8 +108,8 @@ TEST_F(CommandLine, AnOverlapThatTheStartRemovesIsNone) {
   for (const char* solver : {"fem", "sph"}) {
     const std::string options = std::string(" --solver ") + solver +
                                 " --spacing '12.5 mm' --no-fields --out " + path("out");
-    EXPECT_EQ(femsph("run " + scene("apart.toml", "-0.03") + options).code, 0) << solver;
-    const Outcome o = femsph("run " + scene("in.toml", "-0.005") + options);  // its end at 99.5 mm
+    EXPECT_EQ(run_femsph("run " + scene("apart.toml", "-0.03") + options).code, 0) << solver;
+    const Outcome o = run_femsph("run " + scene("in.toml", "-0.005") + options);  // its end at 99.5 mm
     EXPECT_EQ(o.code, 3) << o.text;
     EXPECT_THAT(o.text, HasSubstr("in.toml:33:1: contact \"c\": the bodies overlap by 0.5 mm at the start; "
                                   "expected them apart or touching, at (0.0995, 0.0125, 0) m"))
@@ -135,14 +121,14 @@ TEST_F(CommandLine, ASecondRunLeavesNothingOfTheFirst) {
   const std::string out = path("out"), sections =
                                            "[[sections]]\nname = \"middle\"\nquantity = \"stress\"\nfrom = "
                                            "[\"20 mm\", \"0 mm\"]\nto = [\"20 mm\", \"10 mm\"]\n";
-  ASSERT_EQ(femsph("run " + bar(sections) + " --solver fem --spacing '5 mm' --out " + out).code, 0);
+  ASSERT_EQ(run_femsph("run " + bar(sections) + " --solver fem --spacing '5 mm' --out " + out).code, 0);
   ASSERT_TRUE(fs::exists(path("out/fields.xdmf")));
   ASSERT_TRUE(fs::exists(path("out/section_middle.csv")));
   write("out/notes.txt", "mine");
   write("out/section_of_mine.txt", "mine");
   write("out/fields/mine.h5", "mine");
   write("out/last_good.xdmf", "of a run that was stopped");
-  ASSERT_EQ(femsph("run " + bar() + " --solver sph --spacing '5 mm' --no-fields --out " + out).code, 0);
+  ASSERT_EQ(run_femsph("run " + bar() + " --solver sph --spacing '5 mm' --no-fields --out " + out).code, 0);
   for (const char* gone : {"out/fields.xdmf", "out/last_good.xdmf", "out/section_middle.csv",
                            "out/fields/bodies.h5", "out/fields/000000.h5"})
     EXPECT_FALSE(fs::exists(path(gone))) << gone;
@@ -157,14 +143,14 @@ TEST_F(CommandLine, ARunDoesNotWriteOverAnotherScene) {
   bar();
   const std::string text = read("bar.toml");
   write("own/scene.toml", text);
-  ASSERT_EQ(femsph("run " + path("own/scene.toml") + " --solver fem --spacing '5 mm' --no-fields --out " +
-                   path("own"))
+  ASSERT_EQ(run_femsph("run " + path("own/scene.toml") + " --solver fem --spacing '5 mm' --no-fields --out " +
+                       path("own"))
                 .code,
             0);
   EXPECT_EQ(read("own/scene.toml"), text);
   write("other/scene.toml", "# another\n" + text);
   write("other/history.csv", "mine");
-  const Outcome o = femsph(
+  const Outcome o = run_femsph(
       "run " + path("bar.toml") + " --solver fem --spacing '5 mm' --no-fields --out " + path("other"));
   EXPECT_EQ(o.code, 2) << o.text;
   EXPECT_THAT(o.text, HasSubstr("there is a scene.toml that no run has put there"));
@@ -184,7 +170,7 @@ TEST_F(CommandLine, APathOfStrainsMayBeLong) {
             ",0.0000000\r\n";
   text += "1e-3,-3e-4,0";  // no newline at the end
   ASSERT_GT(text.size(), std::size_t(1) << 20);
-  const Outcome o = femsph("point " + bar() + " --material steel --path " + write("path.csv", text));
+  const Outcome o = run_femsph("point " + bar() + " --material steel --path " + write("path.csv", text));
   ASSERT_EQ(o.code, 0) << o.text.substr(0, 300);
   EXPECT_EQ(std::count(o.text.begin(), o.text.end(), '\n'), rows + 2);
   std::istringstream last(o.text.substr(o.text.rfind('\n', o.text.size() - 2) + 1));
@@ -196,10 +182,10 @@ TEST_F(CommandLine, APathOfStrainsMayBeLong) {
 
 TEST_F(CommandLine, FilesOfTheWrongKindAreOneMessage) {
   fs::create_directories(path("dir/checkpoint.h5"));
-  const Outcome checkpoint = femsph("resume " + path("dir"));
+  const Outcome checkpoint = run_femsph("resume " + path("dir"));
   EXPECT_EQ(checkpoint.code, 1) << checkpoint.text;
   EXPECT_THAT(checkpoint.text, HasSubstr("no checkpoint can be read there"));
-  const Outcome path_of_strains = femsph(
+  const Outcome path_of_strains = run_femsph(
       "point " + bar() + " --material steel --path " +
       write("wide.csv", std::string("\xff\xfe"
                                     "e\0x\0x\0",
@@ -207,7 +193,7 @@ TEST_F(CommandLine, FilesOfTheWrongKindAreOneMessage) {
   EXPECT_EQ(path_of_strains.code, 1);
   EXPECT_THAT(path_of_strains.text, HasSubstr("is UTF-16; expected plain text or UTF-8"));
   const std::string huge = write("huge.toml", read("bar.toml") + std::string((1 << 24) + 1, '\n'));
-  const Outcome o = femsph("check " + huge);
+  const Outcome o = run_femsph("check " + huge);
   EXPECT_EQ(o.code, 1);
   EXPECT_THAT(o.text, HasSubstr("larger than 16777216 bytes; expected a file written by hand"));
 }
@@ -226,7 +212,7 @@ TEST_F(CommandLine, AfterAResumeThePriceIsThatOfAllParts) {
     std::this_thread::sleep_for(std::chrono::milliseconds(1));
   kill(child, SIGTERM);
   ASSERT_EQ(femsph::interrupted::wait_for(child), 6) << read("log");
-  const Outcome o = femsph("resume " + path("out") + " --threads 1");
+  const Outcome o = run_femsph("resume " + path("out") + " --threads 1");
   ASSERT_EQ(o.code, 0) << o.text;
   double cpu = 0, total = 0;
   ASSERT_EQ(

@@ -14,16 +14,6 @@ namespace {
 
 constexpr double c_bar = 5172.194, rho = 7850;  // sqrt(2.1e11 / 7850)
 
-/// Mean of a column between two times.
-double mean(const compare::RunResult& r, const std::string& column, double from, double to) {
-  double sum = 0;
-  int n = 0;
-  for (std::size_t k = 0; k < r.history.rows(); ++k)
-    if (r.history["time"].values[k] >= from && r.history["time"].values[k] <= to)
-      sum += r.history[column].values[k], ++n;
-  return sum / n;
-}
-
 /// Bars of length L that meet end to end at +-v behave as against a rigid wall: force rho c v A while waves
 /// run to the free ends and back, 2 L / c, and then each has turned its velocity round: the impulse is 2 m v.
 /// The contact is as compliant as four spacings (its penalty is a quarter of rho c^2 / d) of 200: about 1 %

@@ -66,16 +66,6 @@ TEST(Plastic, EnergyOfSoftenedStabilizationIsOfFirstOrder) {
   }
 }
 
-/// Mean of a column between two times.
-double mean(const compare::RunResult& r, const std::string& name, double from, double to) {
-  const auto &t = r.history["time"].values, &x = r.history[name].values;
-  double sum = 0;
-  int count = 0;
-  for (std::size_t i = 0; i < t.size(); ++i)
-    if (t[i] >= from && t[i] <= to) sum += x[i], ++count;
-  return sum / count;
-}
-
 // Uniaxial strain (Rakhmatulin; von Karman & Duwez): an elastic wave of speed sqrt((K + 4G/3)/rho) = 6001 m/s
 // brings the elastic limit sigma_y (1 - nu)/(1 - 2 nu) = 525 MPa, a plastic wave of speed sqrt((K + 4/3 G
 // H/(3G + H))/rho) = 4734 m/s the rest: sigma = 525 MPa + rho c_p (v - 525 MPa/(rho c_e)) = 854 MPa at v = 20

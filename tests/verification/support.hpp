@@ -45,6 +45,16 @@ inline double last(const compare::RunResult& r, const std::string& column) {
   return r.history[column].values.back();
 }
 
+/// Mean of a column between two times (s).
+inline double mean(const compare::RunResult& r, const std::string& column, double from, double to) {
+  const auto &t = r.history["time"].values, &x = r.history[column].values;
+  double sum = 0;
+  int count = 0;
+  for (std::size_t i = 0; i < t.size(); ++i)
+    if (t[i] >= from && t[i] <= to) sum += x[i], ++count;
+  return sum / count;
+}
+
 /// In percent.
 inline double error(double value, double reference) { return 100 * (value / reference - 1); }
 
