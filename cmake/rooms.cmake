@@ -4,8 +4,8 @@
 #     BELOW room..)
 # NAME becomes the target femsph_NAME. HURRIED: it computes no results and is compiled with -O1. FUZZED: it
 # is instrumented for the fuzzing targets. EXCEPT: sources that belong to a program. APART: sources that are
-# never joined with others in one translation unit. USES: libraries that only this room may use. The rooms of a
-# top folder are listed in the global property FEMSPH_ROOMS_<top folder>.
+# never joined with others in one translation unit. USES: libraries that only this room may use. The rooms of
+# a top folder are listed in the global property FEMSPH_ROOMS_<top folder>.
 function(femsph_room name folder)
   cmake_parse_arguments(room "HURRIED;FUZZED" "" "EXCEPT;APART;USES;BELOW" ${ARGN})
   get_filename_component(root ${CMAKE_CURRENT_FUNCTION_LIST_DIR}/.. ABSOLUTE)

@@ -42,7 +42,8 @@ do for [s in scenes] {
       set output figure("work-".kind."-".s)
       set xlabel "CPU time of a run, s (in brackets: slope)"
       set ylabel "error, %"
-      plot file("front-".s) using "cpu_s":"error_percent" with steps ls 40 title "best of all (Pareto front)", \
+      plot file("front-".s) using "cpu_s":"error_percent" with steps ls 40 title \
+          "best of all (Pareto front)", \
            for [m in shown] rows(s, \
                m) using (column("cpu_s")):(abs(column("error_percent"))) with linespoints ls style_in(list, \
                index_of(m)) title label(s, m, 5)
