@@ -1,4 +1,4 @@
-# Checks that need no build or only the program, and the documentation of the headers.
+# Tests that need no build or only the program, and the documentation of the headers.
 if(FEMSPH_TESTS)
   find_package(Python3 3.9 REQUIRED COMPONENTS Interpreter)
   foreach(check arrows style)

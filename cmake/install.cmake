@@ -1,12 +1,12 @@
-# What `cmake --install build/release --prefix DIR` and the package of `cpack` hold. The program finds its
-# studies beside itself (../share/femsph/studies), so the whole may be moved.
+# Contents of `cmake --install build/release --prefix DIR` and of the package by `cpack`. The program finds
+# its studies relative to itself (../share/femsph/studies), so the folder may be moved.
 #   bin/femsph   lib/femsph/ (modules)   share/femsph/{studies,scenes}   share/man   share/bash-completion
 #                share/doc
 include(GNUInstallDirs)
 set(femsph_docs ${CMAKE_INSTALL_DATAROOTDIR}/doc/femsph)
 
 install(TARGETS femsph RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
-# Shared objects that the program loads when they are asked for: the list FEMSPH_MODULES names their targets.
+# Shared objects that the program loads on demand; FEMSPH_MODULES lists their targets.
 get_property(modules GLOBAL PROPERTY FEMSPH_MODULES)
 foreach(module ${FEMSPH_MODULES} ${modules})
   install(TARGETS ${module} LIBRARY DESTINATION lib/femsph RUNTIME DESTINATION lib/femsph)
@@ -33,7 +33,8 @@ add_custom_target(manual ALL DEPENDS ${manual} ${completion})
 install(FILES ${manual} DESTINATION ${CMAKE_INSTALL_MANDIR}/man1)
 install(FILES ${completion} DESTINATION ${CMAKE_INSTALL_DATADIR}/bash-completion/completions RENAME femsph)
 
-# cpack -G DEB --config build/release/CPackConfig.cmake. A package for others wants -DFEMSPH_ARCH=x86-64-v2.
+# cpack -G DEB --config build/release/CPackConfig.cmake. Configure with -DFEMSPH_ARCH=x86-64-v2 for
+# packages that run on other machines.
 set(CPACK_GENERATOR DEB)
 set(CPACK_PACKAGE_NAME femsph)
 set(CPACK_PACKAGE_CONTACT "the owner of femsph")
@@ -42,6 +43,6 @@ set(CPACK_PACKAGING_INSTALL_PREFIX /usr)
 set(CPACK_STRIP_FILES ON)
 set(CPACK_DEBIAN_FILE_NAME DEB-DEFAULT)
 set(CPACK_DEBIAN_PACKAGE_SECTION science)
-set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS ON) # what the program and its modules link
+set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS ON) # libraries that the program and its modules link
 set(CPACK_DEBIAN_PACKAGE_RECOMMENDS gnuplot-nox) # figures of studies
 include(CPack)

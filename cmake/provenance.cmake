@@ -1,10 +1,10 @@
-# Writes HEADER, which says what this build is made of. Run at every build, so that the git state is that of
-# the sources compiled; the header is touched only when something changed. Variables: HEADER SOURCE_DIR
+# Writes HEADER with version, git state and flags. Runs at every build, so that the git state is that of the
+# compiled sources; the header is written only if it changes. Variables: HEADER SOURCE_DIR
 # VERSION DEAL_II BUILD_TYPE FLAGS.
 set(git "unknown")
 find_package(Git QUIET)
 if(GIT_FOUND)
-  # An unpacked archive may lie inside some other repository, whose state says nothing about us.
+  # An unpacked archive may lie inside another repository, whose state is not that of these sources.
   execute_process(COMMAND ${GIT_EXECUTABLE} rev-parse --show-prefix WORKING_DIRECTORY ${SOURCE_DIR}
     OUTPUT_VARIABLE prefix OUTPUT_STRIP_TRAILING_WHITESPACE ERROR_QUIET RESULT_VARIABLE failed)
   if(NOT failed AND prefix STREQUAL "")

@@ -1,11 +1,11 @@
-# A room is a folder with a static library of its own, which links the rooms below it and no others: what is
-# included from above does not link. (tests/arrows reads the includes of headers too.)
+# A room is a folder that is built as one static library, which links the rooms below it and no others: a call
+# of a room above does not link. (tests/arrows/run checks the includes of headers too.)
 #   femsph_room(NAME FOLDER [HURRIED] [FUZZED] [EXCEPT source..] [APART source..] [USES library..]
 #     BELOW room..)
-# NAME becomes the target femsph_NAME. HURRIED: it computes no result, and -O1 will do. FUZZED: the fuzzing
-# targets look for inputs that reach new code of it. EXCEPT: sources that belong to a program. APART: sources
-# that are never joined with others in one translation unit. USES: libraries that this room alone sees. The
-# rooms of a top folder are the property FEMSPH_ROOMS_<top folder>.
+# NAME becomes the target femsph_NAME. HURRIED: it computes no results and is compiled with -O1. FUZZED: it
+# is instrumented for the fuzzing targets. EXCEPT: sources that belong to a program. APART: sources that are
+# never joined with others in one translation unit. USES: libraries that only this room may use. The rooms of
+# a top folder are listed in the global property FEMSPH_ROOMS_<top folder>.
 function(femsph_room name folder)
   cmake_parse_arguments(room "HURRIED;FUZZED" "" "EXCEPT;APART;USES;BELOW" ${ARGN})
   get_filename_component(root ${CMAKE_CURRENT_FUNCTION_LIST_DIR}/.. ABSOLUTE)
@@ -29,7 +29,7 @@ function(femsph_room name folder)
     if(room_FUZZED AND FEMSPH_FUZZ)
       target_compile_options(femsph_${name} PRIVATE -fsanitize=fuzzer-no-link)
     endif()
-  else() # headers alone
+  else() # headers only
     add_library(femsph_${name} INTERFACE)
     target_link_libraries(femsph_${name} INTERFACE femsph_flags ${room_BELOW})
   endif()
@@ -37,8 +37,8 @@ function(femsph_room name folder)
   set_property(GLOBAL APPEND PROPERTY FEMSPH_ROOMS_${top} femsph_${name})
 endfunction()
 
-# A module is a shared object that the program opens when it needs it (model/numerics/module.hpp):
-# libfemsph_NAME.so, beside the programs. It links no room: what it calls of rooms it finds in the program.
+# A module is a shared object that the program loads on demand (model/numerics/module.hpp): libfemsph_NAME.so,
+# beside the programs. It links no room: it uses the symbols of the program that loads it.
 #   femsph_module(NAME FOLDER [USES library..])
 function(femsph_module name folder)
   cmake_parse_arguments(module "" "" "USES" ${ARGN})
@@ -53,7 +53,7 @@ function(femsph_module name folder)
   install(TARGETS femsph_${name} LIBRARY DESTINATION lib/femsph)
 endfunction()
 
-# Room ROOM opens module NAME: who builds the room builds the module, of the same build.
+# Room ROOM loads module NAME: building the room builds the module too.
 function(femsph_opens room name)
   target_include_directories(femsph_${room} PRIVATE ${CMAKE_BINARY_DIR}/generated)
   add_dependencies(femsph_${room} femsph_provenance femsph_${name})

@@ -1,11 +1,11 @@
-# Sourced by studies/run and tests/run: installs what packages.txt lists and the machine lacks, then
-# configures and builds. Nothing is done twice: a second call finds everything in place.
+# Sourced by studies/run, tests/run and others: functions that install the missing packages of packages.txt,
+# and configure and build. A second call has nothing to do.
 
 set -euo pipefail
 root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
 cores=$(nproc)
 
-started=${started:-$(date +%s)} # of the first of these scripts, where one calls another
+started=${started:-$(date +%s)} # start of the outermost script
 export started
 say() { printf '== %s (%d s)\n' "$*" $(($(date +%s) - started)); }
 
@@ -37,7 +37,7 @@ build() {  # build PRESET [TARGET..]
   shift
   say "building ($preset)"
   local once=OFF
-  if [ -n "${CI:-}" ]; then once=ON; fi  # nobody edits a file and builds again there
+  if [ -n "${CI:-}" ]; then once=ON; fi  # built once, so that joined sources save time
   (cd "$root" && cmake --preset "$preset" -DCMAKE_UNITY_BUILD=$once) >"$root/build-$preset.log" 2>&1 ||
     { cat "$root/build-$preset.log"; exit 1; }
   rm -f "$root/build-$preset.log"

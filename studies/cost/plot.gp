@@ -9,18 +9,18 @@ name(m) = system("printf '%s' '".m."' | tr _ ' '")
 rows(s, m) = sprintf("< awk -F, 'NR == 1 || $1 == \"%s\"' '%s'", name(m), file("rungs-".s))
 some(s, m) = int(system(sprintf("awk -F, '$1 == \"%s\"' '%s' 2>/dev/null | wc -l", name(m), \
     file("rungs-".s)))) > 0
-# A number of a ladder, as femsph has fitted it: 3 order, 5 error over CPU, 6 CPU over unknowns.
+# A fitted exponent of ladders.csv, by its column: 3 order, 5 error over CPU time, 6 CPU time over unknowns.
 fitted(s, m, \
     k) = \
     system(sprintf("awk -F, '$1 == \"%s\" && $2 == \"%s\" && $%d != \"\" {printf \"%%.2f\", $%d}' '%s'", s, \
     name(m), k, k, file("ladders")))
-# two columns of the key
+# short enough for two columns of the key
 shown_as(m) = system("printf '%s' '".name(m)."' | sed s/sph-corrected-own-volume/sph-own-volume/")
 label(s, m, k) = shown_as(m).(strlen(fitted(s, m, k)) > 0 ? sprintf(" (%s)", fitted(s, m, k)) : "")
 style_in(list, i) = \
     list eq plain ? (i < 5 ? i : i == 5 ? 5 : i == 6 ? 10 : 11) : i == 1 ? 5 : i == 4 ? 10 : 40 + i
 
-# Classic warm, corrected cold.
+# Warm colours: classic SPH; cold colours: corrected SPH.
 set style line 42 lc rgb "#E69F00" lw 2 dt (10, 4, 3, 4) pt 6
 set style line 43 lc rgb "#8B5A2B" lw 2 dt (3, 3) pt 8
 set style line 45 lc rgb "#332288" lw 2 dt (10, 4, 3, 4) pt 10
@@ -42,7 +42,8 @@ do for [s in scenes] {
       set output figure("work-".kind."-".s)
       set xlabel "CPU time of a run, s (in brackets: slope)"
       set ylabel "error, %"
-      plot file("front-".s) using "cpu_s":"error_percent" with steps ls 40 title "best of all", \
+      plot file("front-".s) using "cpu_s":"error_percent" with steps ls 40 title \
+          "best of all (Pareto front)", \
            for [m in shown] rows(s, \
                m) using (column("cpu_s")):(abs(column("error_percent"))) with linespoints ls style_in(list, \
                index_of(m)) title label(s, m, 5)

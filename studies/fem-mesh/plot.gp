@@ -60,7 +60,8 @@ set xtics (5, 10, 20, 25, 50)
 set xlabel "cell edge d, mm"
 do for [name in "tip-error tip-error-limit"] {
   set output figure(name)
-  set ylabel (name eq "tip-error" ? "error against beam theory, %" : "error against the elastic limit, %")
+  set ylabel (name eq "tip-error" ? "error against beam theory, %" : \
+      "error against the converged elastic solution, %")
   plot for [m in fem] file(name) using (column("spacing_mm")):(abs(column(m))) with linespoints ls \
       style_of(m) title m, \
        10.0 * (x / 50)**2 with lines ls 21 title "slope 2"

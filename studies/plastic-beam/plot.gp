@@ -8,12 +8,12 @@ do for [v in "5 10 20"] {
   if (has("wall-".v)) {
     plot for [m in "fem-full sph-corrected"] file("wall-".v) using "time_us":m with lines ls style_of(m) \
         title m, \
-         file("wall-".v) using "time_us":"theory" with lines ls 20 title "plateau of 1D theory"
+         file("wall-".v) using "time_us":"theory" with lines ls 20 title "1D theory (plateau)"
   }
 }
 
 methods = "fem-full fem-assumed-strain sph-corrected"
-set title "perfectly plastic, load past the limit"
+set title "perfectly plastic cantilever, load beyond its limit load"
 set output figure("hinge-stress")
 set xlabel "stress along the beam at x = 20 mm, MPa"
 set ylabel "height, mm"

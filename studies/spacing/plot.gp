@@ -34,7 +34,8 @@ set xtics (2.5, 5, 10, 20, 50)
 set xlabel "spacing or cell edge d, mm"
 do for [name in "tip-error tip-error-limit"] {
   set output figure(name)
-  set ylabel (name eq "tip-error" ? "error against beam theory, %" : "error against the elastic limit, %")
+  set ylabel (name eq "tip-error" ? "error against beam theory, %" : \
+      "error against the converged elastic solution, %")
   plot for [m in methods] file(name) using (column("spacing_mm")):(abs(column(m))) with linespoints ls \
       style_of(m) title m, \
        20.0 * x / 10 with lines ls 21 title "slope 1", \

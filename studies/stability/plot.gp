@@ -1,14 +1,14 @@
 load style
 
 methods = "fem-full fem-one-point fem-assumed-strain sph-classic-share sph-corrected"
-# A method that broke off early is missing from the file.
+# A method whose run stopped early is missing from the file.
 columns(name) = system("head -1 '".file(name)."' | tr ',' ' ' | tr -d '\\r'")
 present(name) = \
     system("for m in ".methods."; do head -1 '".file(name)."' | tr ',' '\\n' | tr -d '\\r' | " . \
       "grep -qx $m && printf '%s ' $m; done")
 
 set output figure("spin-energy")
-set title "spinning plate, ten turns (exact start: 229.17 kJ)"
+set title "spinning plate, ten turns (exact: 229.17 kJ)"
 set xlabel "time, s"
 set ylabel "kinetic energy, kJ"
 set yrange [226:234]
@@ -26,7 +26,7 @@ if (has("bending-top")) {
 }
 set output figure("twist-corner")
 set title "twisting column"
-set ylabel "displacement of a corner of the top, x, m"
+set ylabel "x displacement of a top corner, m"
 set yrange [-1.5:0.5]
 if (has("twist-corner")) {
   plot for [m in present("twist-corner")] file("twist-corner") using "time_s":m with lines ls style_of(m) \
@@ -44,14 +44,14 @@ if (has("strip-stress")) {
 }
 set yrange [*:*]
 set output figure("wander")
-set title "a wave of two spacings on top of a swing"
+set title "free bar with an added wave of two spacings (exact: 0)"
 set ylabel "displacement of the middle, {/Symbol m}m"
 if (has("wander")) {
   plot for [m in present("wander")] file("wander") using "time_ms":m with lines ls style_of(m) title m
 }
 set output figure("rings-force")
 set title "colliding rings"
-set ylabel "contact force a metre of depth, kN"
+set ylabel "contact force per metre of depth, kN"
 if (has("rings-force")) {
   plot for [m in present("rings-force")] file("rings-force") using "time_ms":m with lines ls style_of(m) \
       title m

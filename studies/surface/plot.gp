@@ -2,8 +2,8 @@ load style
 four = "sph-corrected-own-volume sph-corrected fem-full fem-assumed-strain"
 
 set output figure("bar-stress")
-set title "a bar under a traction, d = 12.5 mm: the stress is 1 MPa everywhere"
-set xlabel "along the bar, mm (left: held; right: loaded)"
+set title "bar under a traction of 1 MPa, d = 12.5 mm"
+set xlabel "distance from the fixed end, mm (right: loaded end)"
 set ylabel "stress, MPa"
 set yrange [0.6:1.5]
 if (has("bar-stress")) {
@@ -17,7 +17,7 @@ set format y "%g"
 set xlabel "spacing or cell edge d, mm"
 set title "cantilever: deflection of the tip"
 set output figure("tip-error")
-set ylabel "error against the elastic limit, %"
+set ylabel "error against the converged elastic solution, %"
 set xtics (5, 6.25, 12.5, 25, 50)
 set xrange [4:60]
 if (has("tip-error")) {
@@ -25,16 +25,16 @@ if (has("tip-error")) {
       style_of(m) title m, \
        0.5 * (x / 12.5)**2 with lines ls 21 dt 5 title "slope 2"
 }
-set title "cantilever in space, 25 mm deep: deflection of the tip"
+set title "cantilever in 3D, 25 mm deep: deflection of the tip"
 set output figure("solid-error")
 if (has("solid-error")) {
   plot for [m in four] file("solid-error") using (column("spacing_mm")):(abs(column(m))) with linespoints \
       ls style_of(m) title m, \
        1.0 * (x / 12.5)**2 with lines ls 21 dt 5 title "slope 2"
 }
-set title "cantilever: axial stress over the section in the middle (L2)"
+set title "cantilever: axial stress over the section at mid-length (L2)"
 set output figure("section-error")
-set ylabel "distance from beam theory, %"
+set ylabel "L2 error against beam theory, %"
 if (has("section-error")) {
   plot for [m in four] file("section-error") using (column("spacing_mm")):(abs(column(m))) with linespoints \
       ls style_of(m) title m, \
@@ -42,7 +42,7 @@ if (has("section-error")) {
 }
 set xrange [2.5:16]
 set xtics (3.125, 6.25, 12.5)
-set title "ring under pressure: displacement of the bore"
+set title "thick cylinder under pressure: displacement of the bore"
 set output figure("bore-error")
 set ylabel "error, %"
 if (has("bore-error")) {
@@ -50,7 +50,7 @@ if (has("bore-error")) {
       style_of(m) title m, \
        0.2 * (x / 12.5)**2 with lines ls 21 dt 5 title "slope 2"
 }
-set title "ring under pressure: radial stress at the wall"
+set title "thick cylinder under pressure: radial stress at the bore"
 set output figure("wall-error")
 if (has("wall-error")) {
   plot for [m in four] file("wall-error") using (column("spacing_mm")):(abs(column(m))) with linespoints ls \
@@ -58,13 +58,12 @@ if (has("wall-error")) {
        5.0 * (x / 12.5)**2 with lines ls 21 dt 5 title "slope 2"
 }
 
-# Labels of changed methods have styles of their own: as before; whole cells alone; whole cells and mean
-# dilatation.
+# Own volumes; whole cells with local dilatation; whole cells with mean dilatation.
 changed = "own-volume-local whole-cells-local sph-corrected fem-assumed-strain"
 style_changed(m) = m eq "own-volume-local" ? 11 : m eq "whole-cells-local" ? 6 : style_of(m)
 set xtics (2.5, 5, 10, 12.5)
 set xrange [2:16]
-set title "plastic cylinder: hoop stress outside"
+set title "plastic cylinder: hoop stress at the outer surface"
 set output figure("plastic-error")
 if (has("plastic-error")) {
   plot for [m in changed] file("plastic-error") using (column("spacing_mm")):(abs(column(m))) with \
@@ -74,7 +73,7 @@ unset logscale
 set xtics autofreq
 set autoscale
 set title "nu = 0.4999, d = 6.25 mm: radial stress through the wall"
-set xlabel "from the bore, mm"
+set xlabel "distance from the bore, mm"
 set ylabel "radial stress, MPa"
 set output figure("pressure")
 lame(x) = 100.0 / 3 * (1 - (200.0 / (100 + x))**2)

@@ -1,20 +1,21 @@
 load style
-set xlabel "depth below A along the axis of B, mm"
+set xlabel "depth below the contact, on the axis, mm"
 set ylabel "vertical strain, %"
 names = "'fem-full' 'sph-classic-share h' 'sph-classic-share h/2' 'sph-corrected'"
+shown = "'fem-full' 'sph-classic-share, h = 2 d' 'sph-classic-share, h = d' 'sph-corrected'"
 do for [f in "table2-strain table2-side-strain plastic-strain"] {
   set output figure(f)
-  set xlabel (f eq "table2-side-strain" ? "distance from the axis of B at half its height, mm" : \
-      "depth below A along the axis of B, mm")
+  set xlabel (f eq "table2-side-strain" ? "distance from the axis at mid-height of the concrete, mm" : \
+      "depth below the contact, on the axis, mm")
   set ylabel (f eq "plastic-strain" ? "equivalent plastic strain, %" : "vertical strain, %")
   if (has(f)) {
     plot for [i = 1:words(names)] file(f) using "distance_mm":word(names, \
-        i) with linespoints ls (i == 1 ? 1 : i == 2 ? 6 : i == 3 ? 5 : 10) title word(names, i)
+        i) with linespoints ls (i == 1 ? 1 : i == 2 ? 6 : i == 3 ? 5 : 10) title word(shown, i)
   }
 }
 
 set output figure("fig21-equivalent")
-set title "block B, equivalent stress, MPa: fem-full"
+set title "equivalent stress in the concrete block, MPa (fem-full)"
 set xlabel "x, mm"
 set ylabel "y, mm"
 unset key
