@@ -9,7 +9,7 @@ namespace femsph::sph {
 
 namespace {
 
-/// One neighbour place of a lattice.
+/// A neighbour on the lattice, `by` cells away along each axis.
 struct Offset {
   std::array<int, 3> by;
   double gradient[3];  ///< grad_i W_ij
@@ -85,7 +85,8 @@ class VirtualRows final : public LatticeRows {
   }
 
  private:
-  /// A place along one axis as a sum of places inside: itself, or 2 (on the side) - (mirrored).
+  /// The value at a place along one axis as a sum over places in the body: the place itself, or, beyond a
+  /// side, 2 u(on the side) - u(mirrored place).
   struct Part {
     int at;
     double coefficient;
