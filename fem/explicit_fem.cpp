@@ -4,7 +4,6 @@
 #include <cmath>
 #include <cstdio>
 #include <limits>
-#include <stdexcept>
 
 #include "fem/fem.hpp"
 #include "fem/mesh/geometry.hpp"
@@ -183,8 +182,9 @@ std::vector<Weight> ExplicitFem::material_interpolation(const Point& p) const {
   return r;
 }
 
-/// A unit is a cell: the strain of all these elements is most accurate as the mean over the cell (Barlow
-/// 1976). Its shape is sum_d e_d (x) e_d, where e_d = 2 dx/dxi_d at the centre are the mean edges.
+/// A unit is a cell: the strain of all these elements is most accurate as the mean over the cell (Barlow,
+/// Int. J. Numer. Meth. Engng 10, 1976). Its shape is sum_d e_d (x) e_d, where e_d = 2 dx/dxi_d at the centre
+/// are the mean edges.
 MaterialUnits ExplicitFem::material_units() const {
   MaterialUnits units;
   units.dim = mesh_.dim;

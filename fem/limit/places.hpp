@@ -14,7 +14,6 @@
 #include <array>
 #include <limits>
 #include <set>
-#include <stdexcept>
 #include <vector>
 
 #include "fem/limit/points.hpp"

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <stdexcept>
 
 #include "fem/mesh/geometry.hpp"
 #include "model/input/faults.hpp"

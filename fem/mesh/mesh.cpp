@@ -4,13 +4,10 @@
 #include <cmath>
 #include <cstdint>
 #include <numeric>
-#include <stdexcept>
 #include <utility>
 
 #include "fem/mesh/deal_ii.hpp"
 #include "fem/mesh/grid.hpp"
-#include "fem/options.hpp"
-#include "model/input/faults.hpp"
 
 namespace femsph::fem {
 

@@ -1,6 +1,6 @@
-// Classic SPH: the uncorrected gradient sum_j V_j (u_j - u_i) (x) grad W_ij, as in the paper. In small motion
-// on the initial neighbours (total_lagrangian.hpp), in large motion on neighbours that follow the particles
-// (updated_lagrangian.hpp).
+// Classic SPH: the uncorrected gradient sum_j V_j (u_j - u_i) (x) grad W_ij, as in the paper (studies/paper).
+// In small motion on the initial neighbours (total_lagrangian.hpp), in large motion on neighbours that follow
+// the particles (updated_lagrangian.hpp).
 
 #include <algorithm>
 

@@ -2,8 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <stdexcept>
-
 #include "model/numerics/vectors.hpp"
 #include "sph/operators/projection.hpp"
 

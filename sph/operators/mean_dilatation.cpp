@@ -45,7 +45,7 @@ AveragingRows::AveragingRows(const Particles& particles)
     begin.push_back(bonds.size());
   }
   std::vector<double> next(p_.size());
-  for (int turn = 0; turn < 12; ++turn) {
+  for (int iteration = 0; iteration < 12; ++iteration) {
     for (std::size_t i = 0; i < p_.size(); ++i) {
       double sum = 0;
       for (std::size_t k = begin[i]; k < begin[i + 1]; ++k)

@@ -50,10 +50,10 @@ typename PairScales<dim>::Vectors solve(PairScales<dim>& pairs, typename PairSca
     for (std::size_t i = 0; i < n; ++i)
       for (int a = 0; a < dim; ++a) lambda[i][a] += step * p[i][a], r[i][a] -= step * q[i][a];
     precondition();
-    const double next = pairs.product(r, z), turn = next / rz;
+    const double next = pairs.product(r, z), ratio = next / rz;
     rz = next;
     for (std::size_t i = 0; i < n; ++i)
-      for (int a = 0; a < dim; ++a) p[i][a] = z[i][a] + turn * p[i][a];
+      for (int a = 0; a < dim; ++a) p[i][a] = z[i][a] + ratio * p[i][a];
   }
   return lambda;
 }

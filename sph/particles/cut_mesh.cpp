@@ -22,9 +22,9 @@ constexpr double least = 0.35, most = 1.6;
 /// Groups of edges that must be cut into the same number of pieces (opposite edges of a cell, and so on from
 /// cell to cell), each with the lengths of its shortest and its longest edge. One edge is the root of a
 /// group.
-class Strips {
+class EdgeGroups {
  public:
-  explicit Strips(const CellMesh& mesh) : mesh_(mesh) {
+  explicit EdgeGroups(const CellMesh& mesh) : mesh_(mesh) {
     for (std::size_t c = 0; c < mesh.cells.size(); ++c)
       for (int a = 0; a < mesh.dim; ++a) {
         int first = -1;
@@ -87,9 +87,9 @@ class Strips {
     return edge;
   }
   /// The number for which the geometric mean of the shortest and the longest piece is nearest to the spacing.
-  int pieces_of(std::size_t strip, double spacing) const {
+  int pieces_of(std::size_t group, double spacing) const {
     return std::max(
-        1, int(std::min(1e6, std::round(std::sqrt(shortest_[strip] * longest_[strip]) / spacing))));
+        1, int(std::min(1e6, std::round(std::sqrt(shortest_[group] * longest_[group]) / spacing))));
   }
 
   const CellMesh& mesh_;
@@ -163,16 +163,16 @@ void cut_cell(const CellMesh& mesh, const std::array<int, 8>& cell, const std::a
 }  // namespace
 
 std::optional<CellMesh> cut_to_spacing(const CellMesh& mesh, double spacing, std::string& why) {
-  Strips strips(mesh);
-  if (!strips.suits(spacing)) {
-    const auto [low, high] = strips.range(spacing);
+  EdgeGroups groups(mesh);
+  if (!groups.suits(spacing)) {
+    const auto [low, high] = groups.range(spacing);
     why = fmt::format(
         "its mesh can only be cut into pieces of {:.3g} to {:.3g} mm, too uneven for particles {:.3g} mm "
         "apart: the particles are placed on a lattice instead, and stress near curved and slanted sides is "
         "less accurate",
         low * 1e3, high * 1e3, spacing * 1e3);
     for (double finer = spacing / 1.1; finer > spacing / 12; finer /= 1.1)
-      if (strips.suits(finer)) {
+      if (groups.suits(finer)) {
         why += fmt::format("; with a spacing of {:.3g} mm they follow the mesh", finer * 1e3);
         break;
       }
@@ -182,7 +182,7 @@ std::optional<CellMesh> cut_to_spacing(const CellMesh& mesh, double spacing, std
   out.dim = mesh.dim;
   Corners corners(out);
   for (std::size_t c = 0; c < mesh.cells.size(); ++c)
-    cut_cell(mesh, mesh.cells[c], strips.pieces(int(c), spacing), corners, out);
+    cut_cell(mesh, mesh.cells[c], groups.pieces(int(c), spacing), corners, out);
   return out;
 }
 

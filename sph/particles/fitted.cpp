@@ -39,7 +39,7 @@ void add_shares(const CellMesh& mesh, const std::array<int, 8>& cell, std::vecto
 /// Adds to `fraction` the angle of the cell at each of its corners, as a share of the full angle. In 3D it is
 /// a solid angle; of three edges a, b, c
 ///   tan(Omega/2) = a.(b x c) / (|a||b||c| + (a.b) |c| + (a.c) |b| + (b.c) |a|)
-/// (van Oosterom & Strackee 1983).
+/// (van Oosterom and Strackee, IEEE Trans. Biomed. Engng 30, 1983).
 void add_angles(const CellMesh& mesh, const std::array<int, 8>& cell, std::vector<double>& fraction) {
   const auto edge = [&](int from, int to) {
     return mesh.vertices[std::size_t(cell[to])] - mesh.vertices[std::size_t(cell[from])];
@@ -77,8 +77,8 @@ void sort_vertices(CellMesh& mesh, double spacing) {
 }
 
 /// Marks the vertices on the surface of the body. A symmetry plane is not part of it.
-std::vector<char> on_the_rim(const CellMesh& mesh, const std::vector<MirrorPlane>& planes) {
-  std::vector<char> rim(mesh.vertices.size(), 0);
+std::vector<char> surface_vertices(const CellMesh& mesh, const std::vector<MirrorPlane>& planes) {
+  std::vector<char> on_surface(mesh.vertices.size(), 0);
   for (const Facet& facet : boundary_of(topology_of(mesh.dim, mesh.cells))) {
     const Point &p = mesh.vertices[facet.points[0]], &q = mesh.vertices[facet.points[1]],
                 &r = mesh.vertices[facet.points[mesh.dim == 3 ? 2 : 1]];
@@ -87,13 +87,13 @@ std::vector<char> on_the_rim(const CellMesh& mesh, const std::vector<MirrorPlane
           return m.holds(p, tolerance) && m.holds(q, tolerance) && m.holds(r, tolerance);
         }))
       continue;
-    for (int k = 0; k < 2 * (mesh.dim - 1); ++k) rim[facet.points[std::size_t(k)]] = 1;
+    for (int k = 0; k < 2 * (mesh.dim - 1); ++k) on_surface[facet.points[std::size_t(k)]] = 1;
   }
-  return rim;
+  return on_surface;
 }
 
 /// The cells of a shape that can be divided into cells by a formula, with edges of about the spacing.
-CellMesh own_cut(const StructuredShape& shape, const Options& options) {
+CellMesh divided_shape(const StructuredShape& shape, const Options& options) {
   const Point lower = shape.lower(), upper = shape.upper();
   std::array<int, 3> divisions{1, 1, 1};
   for (int a = 0; a < shape.dim(); ++a) {
@@ -125,7 +125,7 @@ std::optional<Particles> fill_fitted(const Shape& shape, const Options& options,
         "a spacing of {:g} mm needs more than {:.1e} particles (about {:.0f} GB); take a coarser one",
         options.spacing * 1e3, places, places * 300e-9));
   const StructuredShape* structured = shape.structured();
-  std::optional<CellMesh> cut = structured ? own_cut(*structured, options)
+  std::optional<CellMesh> cut = structured ? divided_shape(*structured, options)
                                            : cut_to_spacing(*shape.cells(), options.spacing, why);
   if (!cut) return std::nullopt;
   CellMesh& mesh = *cut;
@@ -143,7 +143,7 @@ std::optional<Particles> fill_fitted(const Shape& shape, const Options& options,
   p.fraction.assign(p.size(), 0.0);
   for (const auto& cell : mesh.cells) add_shares(mesh, cell, p.volume), add_angles(mesh, cell, p.fraction);
   if (structured)
-    match_moments(shape, planes, p.position, on_the_rim(mesh, planes),
+    match_moments(shape, planes, p.position, surface_vertices(mesh, planes),
                   p.volume);  // adds the volume between the chords and a round side
   double count = 0;
   for (std::size_t i = 0; i < p.size(); ++i) {

@@ -12,14 +12,16 @@ namespace {
 
 enum : char { empty, full, cut };
 
-class Hats {
+/// Integrates the hat functions of all places of a lattice over a shape.
+class HatIntegrals {
  public:
-  Hats(const Shape& shape, const Lattice& lattice, const std::vector<MirrorPlane>& planes)
-      : shape_(shape), l_(lattice), planes_(planes), dim_(shape.dim()) {
+  HatIntegrals(const Shape& shape, const Lattice& lattice, const std::vector<MirrorPlane>& planes)
+      : shape_(shape), lattice_(lattice), planes_(planes), dim_(shape.dim()) {
     for (int a = 0; a < dim_; ++a)
-      cells_[a] = l_.count[a] - 1, spacing_ = a ? std::min(spacing_, l_.spacing[a]) : l_.spacing[a];
-    out_.share.assign(l_.at.size(), 0.0);
-    out_.border.assign(l_.at.size(), 0);
+      cells_[a] = lattice_.count[a] - 1,
+      spacing_ = a ? std::min(spacing_, lattice_.spacing[a]) : lattice_.spacing[a];
+    out_.share.assign(lattice_.at.size(), 0.0);
+    out_.border.assign(lattice_.at.size(), 0);
     state_.assign(std::size_t(cells_[0]) * cells_[1] * cells_[2], full);
   }
 
@@ -57,13 +59,14 @@ class Hats {
   }
   std::size_t node(const std::array<int, 3>& c, int v) const {
     return std::size_t(c[0] + (v & 1)) +
-           std::size_t(l_.count[0]) * (std::size_t(c[1] + (v >> 1 & 1)) +
-                                       std::size_t(l_.count[1]) * std::size_t(c[2] + (v >> 2 & 1)));
+           std::size_t(lattice_.count[0]) *
+               (std::size_t(c[1] + (v >> 1 & 1)) +
+                std::size_t(lattice_.count[1]) * std::size_t(c[2] + (v >> 2 & 1)));
   }
   /// The point of cell c with local coordinates xi, each from 0 to 1.
   Point at(const std::array<int, 3>& c, const std::array<double, 3>& xi) const {
-    Point x = l_.origin;
-    for (int a = 0; a < dim_; ++a) x[a] += (c[a] + xi[a]) * l_.spacing[a];
+    Point x = lattice_.origin;
+    for (int a = 0; a < dim_; ++a) x[a] += (c[a] + xi[a]) * lattice_.spacing[a];
     return x;
   }
   template <class Act>
@@ -98,8 +101,8 @@ class Hats {
       double least = 0, most = 0;
       for (int v = 0; v < patch.corner_count(); ++v) {
         const double x = (patch.at({v & 1 ? high[0] : low[0], v >> 1 & 1 ? high[1] : low[1], 0})[a] -
-                          l_.origin[a]) /
-                         l_.spacing[a];
+                          lattice_.origin[a]) /
+                         lattice_.spacing[a];
         least = v ? std::min(least, x) : x, most = v ? std::max(most, x) : x;
       }
       first[a] = std::max(0, int(std::floor(least + 1e-6)));
@@ -223,7 +226,7 @@ class Hats {
           for (int i = first[0]; i <= last[0]; ++i) near[cell({i, j, k})] = 1;
     });
     double volume = 1;
-    for (int a = 0; a < dim_; ++a) volume *= l_.spacing[a];
+    for (int a = 0; a < dim_; ++a) volume *= lattice_.spacing[a];
     const double g[2] = {0.5 - 0.5 / std::sqrt(3.0), 0.5 + 0.5 / std::sqrt(3.0)};
     for (const auto& own : mesh.cells) {
       Patch patch{dim_, {}};
@@ -249,7 +252,7 @@ class Hats {
   std::pair<std::array<int, 3>, std::array<double, 3>> cell_of(const Point& x) const {
     std::pair<std::array<int, 3>, std::array<double, 3>> out{};
     for (int a = 0; a < dim_; ++a) {
-      const double t = (x[a] - l_.origin[a]) / l_.spacing[a];
+      const double t = (x[a] - lattice_.origin[a]) / lattice_.spacing[a];
       out.first[a] = std::clamp(int(std::floor(t)), 0, cells_[a] - 1);
       out.second[a] = std::clamp(t - out.first[a], 0.0, 1.0);
     }
@@ -261,12 +264,12 @@ class Hats {
     if (std::none_of(out_.border.begin(), out_.border.end(), [](char b) { return b != 0; })) return;
     std::vector<Point> places(out_.share.size());
     double volume = 1;
-    for (int a = 0; a < dim_; ++a) volume *= l_.spacing[a];
+    for (int a = 0; a < dim_; ++a) volume *= lattice_.spacing[a];
     for (std::size_t i = 0; i < places.size(); ++i) {
-      const std::size_t n = std::size_t(l_.count[0]), m = std::size_t(l_.count[1]);
+      const std::size_t n = std::size_t(lattice_.count[0]), m = std::size_t(lattice_.count[1]);
       const std::size_t index[3] = {i % n, i / n % m, i / n / m};
-      places[i] = l_.origin;
-      for (int a = 0; a < dim_; ++a) places[i][a] += double(index[a]) * l_.spacing[a];
+      places[i] = lattice_.origin;
+      for (int a = 0; a < dim_; ++a) places[i][a] += double(index[a]) * lattice_.spacing[a];
       out_.share[i] *= volume;
     }
     match_moments(shape_, planes_, places, out_.border, out_.share);
@@ -274,7 +277,7 @@ class Hats {
   }
 
   const Shape& shape_;
-  const Lattice& l_;
+  const Lattice& lattice_;
   const std::vector<MirrorPlane> planes_;
   int dim_;
   double spacing_ = 0;
@@ -287,13 +290,13 @@ class Hats {
 
 PartialVolumes partial_volumes(const Shape& shape, const Lattice& lattice,
                                const std::vector<MirrorPlane>& planes) {
-  return Hats(shape, lattice, planes).integrate();
+  return HatIntegrals(shape, lattice, planes).integrate();
 }
 
 bool follows_sides(const Shape& shape, const Lattice& lattice) {
-  Hats hats(shape, lattice, {});
-  hats.classify();
-  return !hats.any_cut();
+  HatIntegrals integrals(shape, lattice, {});
+  integrals.classify();
+  return !integrals.any_cut();
 }
 
 }  // namespace femsph::sph

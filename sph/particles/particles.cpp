@@ -51,9 +51,10 @@ std::array<int, 3> folded(std::array<int, 3> at, const Lattice& lattice,
 
 /// Gives the volume of each place without a particle to particles next to it, such that the first moment is
 /// kept (heirs() in partial_volumes.hpp).
-void hand_over(Particles& p, const PartialVolumes& volumes, const std::vector<MirrorPlane>& planes) {
+void share_with_neighbours(Particles& p, const PartialVolumes& volumes,
+                           const std::vector<MirrorPlane>& planes) {
   const Lattice& lattice = p.lattice;
-  std::vector<double> more(p.size(), 0.0);
+  std::vector<double> added(p.size(), 0.0);
   std::size_t slot = 0;
   for (int k = 0; k < lattice.count[2]; ++k)
     for (int j = 0; j < lattice.count[1]; ++j)
@@ -65,9 +66,9 @@ void hand_over(Particles& p, const PartialVolumes& volumes, const std::vector<Mi
         };
         for (const auto& [heir, factor] :
              heirs(p.dim, {i, j, k}, particle, [&](int particle) { return p.volume[std::size_t(particle)]; }))
-          more[std::size_t(heir)] += factor * volumes.share[slot] * p.cell / p.part[std::size_t(heir)];
+          added[std::size_t(heir)] += factor * volumes.share[slot] * p.cell / p.part[std::size_t(heir)];
       }
-  for (std::size_t i = 0; i < p.size(); ++i) p.volume[i] += more[i];
+  for (std::size_t i = 0; i < p.size(); ++i) p.volume[i] += added[i];
 }
 
 /// Renumbers the particles slab by slab, a slab being eight particles thick along x; within a slab row by row
@@ -160,7 +161,7 @@ Particles fill(const Shape& shape, const Options& options, const std::vector<Mir
       const auto [x, y, z] = lattice.place[i];
       p.volume[i] = p.cell * (volumes.share[lattice.slot(x, y, z)] / p.part[i]);
     }
-    hand_over(p, volumes, planes);
+    share_with_neighbours(p, volumes, planes);
   }
   p.fraction.assign(p.size(), 1.0);
   for (std::size_t i = 0; partial && i < p.size(); ++i) p.fraction[i] = p.volume[i] / p.cell;
