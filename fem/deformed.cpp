@@ -1,4 +1,5 @@
-// Deformed cells: which has turned inside out (det dx/dxi at its Gauss points), which has become stiffest.
+// Checks of deformed cells: which one has turned inside out (det dx/dxi <= 0 at a Gauss point), and which one
+// has become stiffest.
 
 #include <cstdio>
 #include <limits>
@@ -13,7 +14,7 @@ namespace femsph::fem {
 
 namespace {
 
-/// The positions of the corners of eight cells, undeformed and now.
+/// The corners of eight cells: undeformed positions X, current positions x, m.
 template <int dim>
 struct Corners {
   static constexpr int size = dim * corners<dim>;
@@ -26,7 +27,7 @@ struct Corners {
   }
 };
 
-/// The cell with the largest value, the first of these; one that is no number counts as more than any.
+/// The first cell that has the largest value. NaN counts as infinite.
 struct Largest {
   double value = -std::numeric_limits<double>::infinity();
   std::size_t cell = 0;
@@ -38,7 +39,7 @@ struct Largest {
   }
 };
 
-/// largest_of(begin, end) gives the largest of a range of batches.
+/// The largest of all cells; largest_of(begin, end) gives that of a range of batches.
 template <class LargestOf>
 Largest largest_cell(const Batches& batches, LargestOf&& largest_of) {
   std::vector<Largest> of_domain((batches.count + batches_per_domain - 1) / batches_per_domain);
@@ -55,7 +56,8 @@ Largest largest_cell(const Batches& batches, LargestOf&& largest_of) {
   return all;
 }
 
-/// By how much of its volume a cell has shrunk at a Gauss point, at most: above 1 it is inside out there.
+/// The largest loss of volume at a Gauss point, 1 - det(dx/dxi) / det(dX/dxi). From 1 on the cell is inside
+/// out there.
 template <int dim>
 Largest most_shrunk_cell(const Mesh& mesh, const Batches& batches, const double* u) {
   return largest_cell(batches, [&](std::size_t begin, std::size_t end) {
@@ -73,7 +75,8 @@ Largest most_shrunk_cell(const Mesh& mesh, const Batches& batches, const double*
   });
 }
 
-/// At the points of the element: the Gauss points, or the centre.
+/// The cell that has stiffened most (model/material/stiffening.hpp), at the Gauss points or at the centre,
+/// wherever the element has its material points.
 template <int dim, class LawType>
 Largest stiffest_cell(const Mesh& mesh, const Batches& batches, const double* u, bool at_centre,
                       const LawType& law) {
@@ -100,7 +103,7 @@ Largest stiffest_cell(const Mesh& mesh, const Batches& batches, const double* u,
       Pack most{};
       for (int q = 0; q < corners<dim>; ++q) {
         const Pack r = ratio(before.at(q), now.at(q));
-        most = select(r <= most, most, r);  // one that is no number stays
+        most = select(r <= most, most, r);  // NaN stays
       }
       worst.take(most, b);
     }
@@ -110,7 +113,7 @@ Largest stiffest_cell(const Mesh& mesh, const Batches& batches, const double* u,
 
 }  // namespace
 
-/// Of a lane: those beyond the last cell repeat it.
+/// The cell that a lane holds: the lanes beyond the last cell repeat it.
 std::size_t ExplicitFem::cell_of(std::size_t lane) const { return std::min(lane, mesh_.cell_count() - 1); }
 
 Point ExplicitFem::centre_now(std::size_t cell, const double* u) const {

@@ -4,7 +4,6 @@
 #include <cmath>
 #include <cstdio>
 #include <limits>
-#include <stdexcept>
 
 #include "fem/fem.hpp"
 #include "fem/mesh/geometry.hpp"
@@ -89,14 +88,15 @@ std::string ExplicitFem::describe() const {
          bars_text_;
 }
 
-/// What keeps its volume needs elements that can: eight (or four) points a cell ask for more than its corners
-/// can give. Reduced shear changes nothing about that. In plane stress the thickness gives way.
+/// Volumetric locking: where the material keeps its volume, each of the 8 (in 2D 4) integration points adds
+/// one constraint, more than the displacements of the corners can fulfil. Reduced integration of the shear
+/// does not help. In plane stress the thickness is free to change, and nothing locks.
 std::vector<std::string> ExplicitFem::warnings() const {
   const double poisson = std::visit([](const auto& l) { return l.elastic().poisson; }, law_);
   if (plane_ == Plane::stress || !element_.locks_in_volume || (poisson <= 0.45 && !yields_)) return {};
   std::string why = yields_ ? "plastic flow keeps the volume" : "";
   if (poisson > 0.45) why = "Poisson's ratio is " + in_short(poisson) + (yields_ ? ", and " + why : "");
-  return {why + ": " + element_.name + " locks in volume, and displacements may come out far too small; " +
+  return {why + ": " + element_.name + " locks in volume, and displacements may be far too small; " +
           methods_that_do_not_lock() + " do not"};
 }
 
@@ -107,7 +107,7 @@ std::size_t ExplicitFem::bytes() const {
          locator_.bytes() + loop_->bytes() + bars_.bytes();
 }
 
-/// By all threads: a plane elastic kernel takes no more than ten times as long.
+/// In parallel, as clearing is not negligible: a 2D elastic kernel takes only about ten times as long.
 void ExplicitFem::clear(double* f) const {
   parallel_for(layout_.points, 512, [&](std::size_t begin, std::size_t end) {
     const std::size_t dim = static_cast<std::size_t>(layout_.dim);
@@ -174,7 +174,7 @@ std::vector<Weight> ExplicitFem::material_interpolation(const Point& p) const {
   const std::vector<Locator::Found> cells = locator_.find_all(p);
   std::vector<Weight> r;
   for (const auto& [cell, xi] : cells) {
-    Point stretched{};  // the points are the corners of a cell 1/sqrt(3) the size
+    Point stretched{};  // the Gauss points are the corners of a cell 1/sqrt(3) times as large
     for (int d = 0; d < mesh_.dim; ++d) stretched[d] = std::sqrt(3.0) * xi[d];
     const auto N = shape_functions(mesh_.dim, stretched);
     for (std::size_t q = 0; q < n; ++q) r.push_back({cell * n + q, N[q] / static_cast<double>(cells.size())});
@@ -182,8 +182,9 @@ std::vector<Weight> ExplicitFem::material_interpolation(const Point& p) const {
   return r;
 }
 
-/// The strain of every element here is most accurate in the mean of its cell (Barlow 1976), whose edges at
-/// the centre measure lengths.
+/// A unit is a cell: the strain of all these elements is most accurate as the mean over the cell (Barlow,
+/// Int. J. Numer. Meth. Engng 10, 1976). Its shape is sum_d e_d (x) e_d, where e_d = 2 dx/dxi_d at the centre
+/// are the mean edges.
 MaterialUnits ExplicitFem::material_units() const {
   MaterialUnits units;
   units.dim = mesh_.dim;

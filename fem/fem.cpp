@@ -6,8 +6,8 @@
 namespace femsph::fem {
 
 namespace {
-/// The module derives its oracle from ExplicitFem: a program that asks for the static limit alone must hold
-/// that too.
+/// The module's FEValues reference derives from ExplicitFem. A program that only computes the static limit
+/// must contain ExplicitFem too, and this pointer keeps the linker from leaving it out.
 [[gnu::used]] const auto needed_by_the_module = &discretize;
 }  // namespace
 

@@ -1,5 +1,5 @@
 #pragma once
-// What stands behind discretize_oracle() and static_limit() of fem.hpp.
+// The functions of the module that discretize_oracle() and static_limit() of fem.hpp call.
 
 #include <array>
 #include <memory>

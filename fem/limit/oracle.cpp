@@ -1,5 +1,5 @@
-// The full element again, by deal.II's FEValues and cell by cell. It shares the mesh with the fast loop, and
-// nothing of its force.
+// A reference for the tests: the fully integrated element computed by deal.II's FEValues, one cell at a time.
+// It shares the mesh with the fast loop, but no code of the force.
 
 #include <deal.II/base/quadrature_lib.h>
 #include <deal.II/dofs/dof_handler.h>
@@ -11,6 +11,7 @@
 #include <algorithm>
 #include <stdexcept>
 
+#include "fem/elements/full.hpp"
 #include "fem/explicit_fem.hpp"
 #include "fem/limit/limit.hpp"
 #include "fem/limit/triangulation.hpp"
@@ -24,7 +25,7 @@ class Oracle final : public ExplicitFem {
  public:
   Oracle(const Scene& scene, std::size_t body, const Options& options)
       : ExplicitFem(scene, body, options),
-        law_(elastic_of(scene, body, "the FEValues oracle")),
+        law_(elastic_of(scene, body, "the FEValues reference")),
         fe_(dealii::FE_Q<dim>(1), dim),
         dofs_(triangulation_) {
     make_triangulation<dim>(*shape_, options.divisions, options.distortion, triangulation_);
@@ -47,7 +48,7 @@ class Oracle final : public ExplicitFem {
   }
 
  private:
-  /// y = factor sum over cells of the integral of sigma(u) : grad phi.
+  /// y_i = factor times the sum over cells of the integral of sigma(u) : grad phi_i.
   void apply(const double* u, double* y, double factor) const {
     std::fill(y, y + layout().size, 0.0);
     dealii::FEValues<dim> values(
@@ -75,7 +76,7 @@ class Oracle final : public ExplicitFem {
   }
 
   LinearElastic law_;
-  std::vector<std::size_t> node_;  ///< of each vertex
+  std::vector<std::size_t> node_;  ///< our node of each vertex of deal.II
   dealii::Triangulation<dim> triangulation_;
   dealii::FESystem<dim> fe_;
   dealii::DoFHandler<dim> dofs_;
@@ -84,8 +85,10 @@ class Oracle final : public ExplicitFem {
 }  // namespace
 
 std::unique_ptr<Discretization> make_oracle(const Scene& scene, std::size_t body, const Options& options) {
-  if (options.element != "full" || scene.large_motion || !scene.bars.empty())
-    throw std::runtime_error("the FEValues oracle knows the full element in small strain without bars only");
+  const std::string element = FullElement::entry.word;
+  if (options.element != element || scene.large_motion || !scene.bars.empty())
+    throw std::runtime_error("the FEValues reference takes the element \"" + element +
+                             "\" only, in small strain and without bars");
   if (scene.dim() == 2) return std::make_unique<Oracle<2>>(scene, body, options);
   return std::make_unique<Oracle<3>>(scene, body, options);
 }

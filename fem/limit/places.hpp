@@ -14,25 +14,12 @@
 #include <array>
 #include <limits>
 #include <set>
-#include <stdexcept>
 #include <vector>
 
+#include "fem/limit/points.hpp"
 #include "model/scene/scene.hpp"
 
 namespace femsph::fem {
-
-template <int dim>
-Point to_point(const dealii::Point<dim>& p) {
-  Point r{};
-  for (int d = 0; d < dim; ++d) r[d] = p[d];
-  return r;
-}
-template <int dim>
-dealii::Point<dim> from_point(const Point& p) {
-  dealii::Point<dim> r;
-  for (int d = 0; d < dim; ++d) r[d] = p[d];
-  return r;
-}
 
 template <int dim>
 class Places {
@@ -100,7 +87,7 @@ class Places {
     double best = std::numeric_limits<double>::max();
     std::vector<Index> r;
     for (Index i = 0; i < support_points_.size(); ++i) {
-      const double d = support_points_[i].distance(from_point<dim>(p));
+      const double d = support_points_[i].distance(to_dealii<dim>(p));
       if (d < best - tolerance_) {
         best = d;
         r.clear();

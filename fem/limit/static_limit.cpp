@@ -1,4 +1,5 @@
-// Static linear elasticity with elements of high degree: the solution that both solvers must converge to.
+// The static limit: a solution of static linear elasticity with elements of high degree, to which FEM and SPH
+// must both converge.
 
 #include <deal.II/base/quadrature_lib.h>
 #include <deal.II/base/symmetric_tensor.h>
@@ -76,15 +77,16 @@ class StaticSolver {
     const std::vector<double> weight = places_->weights_of(load.place);
     std::array<double, dim> total{};
     for (std::size_t i = 0; i < weight.size(); ++i) total[places_->component(i)] += weight[i];
-    if (!(total[0] > 0)) throw std::runtime_error("a load of the static limit meets no point of the mesh");
+    if (!(total[0] > 0)) throw std::runtime_error("a load acts on no point of the mesh of the static limit");
     for (std::size_t i = 0; i < weight.size(); ++i) {
       const unsigned int c = places_->component(i);
       force[i] += load.force[c] * load.history.factor.back() * weight[i] / total[c];
     }
   }
 
-  /// A cell's matrix as one product, K = strain^T stress, with one row for each component at each quadrature
-  /// point: degree 3 in 3D has 192 unknowns and 64 points a cell, so that BLAS pays.
+  /// The stiffness matrix of a cell is one product, K = strain^T stress. Both factors have one row for each
+  /// strain component at each quadrature point. Degree 3 in 3D has 192 unknowns and 64 points per cell: large
+  /// enough for BLAS to be faster.
   void assemble(const dealii::Vector<double>& force) {
     constexpr int m = symmetric_size<dim>;
     const dealii::QGauss<dim> rule(fe_.degree + 1);
@@ -120,7 +122,8 @@ class StaticSolver {
       if (!constraints_.is_constrained(i)) load_[i] += force[i];
   }
 
-  /// Direct in 2D and for small solids; larger factorized matrices would need too much memory.
+  /// A direct solver in 2D and for small 3D bodies; conjugate gradients for larger ones, whose factorized
+  /// matrix would need too much memory.
   void solve_system() {
     if (dim == 2 || dofs_.n_dofs() < 40000) {
       dealii::SparseDirectUMFPACK direct;
@@ -141,7 +144,7 @@ class StaticSolver {
 
   StateAtPoint motion_at(const Point& p) const {
     dealii::Vector<double> u(dim);
-    dealii::VectorTools::point_value(dofs_, solution_, from_point<dim>(p), u);
+    dealii::VectorTools::point_value(dofs_, solution_, to_dealii<dim>(p), u);
     StateAtPoint at;
     at.displacement = {u[0], u[1], dim == 3 ? u[dim - 1] : 0.0};
     return at;
@@ -149,7 +152,7 @@ class StaticSolver {
 
   StateAtPoint material_at(const Point& p) const {
     std::vector<dealii::Tensor<1, dim>> H(dim);
-    dealii::VectorTools::point_gradient(dofs_, solution_, from_point<dim>(p), H);
+    dealii::VectorTools::point_gradient(dofs_, solution_, to_dealii<dim>(p), H);
     StateAtPoint at;
     auto &e = at.strain, &s = at.stress;
     double trace = 0;

@@ -6,18 +6,12 @@
 
 #include <utility>
 
+#include "fem/limit/points.hpp"
 #include "fem/mesh/grid.hpp"
 
 namespace femsph::fem {
 
 namespace {
-
-template <int dim>
-dealii::Point<dim> to_dealii(const Point& p) {
-  dealii::Point<dim> r;
-  for (int d = 0; d < dim; ++d) r[d] = p[d];
-  return r;
-}
 
 template <int dim>
 void triangulate_box(const Shape& shape, const std::array<int, 3>& divisions,
@@ -29,8 +23,9 @@ void triangulate_box(const Shape& shape, const std::array<int, 3>& divisions,
       triangulation, n, to_dealii<dim>(shape.lower()), to_dealii<dim>(shape.upper()));
 }
 
-/// deal.II wants cells of positive measure, so left-handed ones are mirrored, and shared edges of one
-/// direction: both renumber the corners of a cell, lexicographic as they are.
+/// deal.II expects cells of positive volume whose shared edges have the same direction in both cells. So
+/// left-handed cells are reversed and edges reordered; both renumber the corners of a cell, which stay
+/// lexicographic.
 template <int dim>
 void triangulate_cells(const CellMesh& mesh, dealii::Triangulation<dim>& triangulation) {
   std::vector<dealii::Point<dim>> vertices;
@@ -55,11 +50,7 @@ template <int dim>
 CellMesh grid_of(const dealii::Triangulation<dim>& triangulation) {
   CellMesh grid;
   grid.dim = dim;
-  for (const dealii::Point<dim>& v : triangulation.get_vertices()) {
-    Point p{};
-    for (int d = 0; d < dim; ++d) p[d] = v[d];
-    grid.vertices.push_back(p);
-  }
+  for (const dealii::Point<dim>& v : triangulation.get_vertices()) grid.vertices.push_back(to_point<dim>(v));
   for (const auto& cell : triangulation.active_cell_iterators()) {
     std::array<int, 8> corners{};
     for (unsigned int a = 0; a < 1u << dim; ++a) corners[a] = static_cast<int>(cell->vertex_index(a));

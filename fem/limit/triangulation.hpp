@@ -1,5 +1,5 @@
 #pragma once
-// The grid of a body as deal.II makes it.
+// The mesh of a body as deal.II makes it.
 
 #include <array>
 
@@ -19,7 +19,7 @@ template <int dim>
 void make_triangulation(const Shape& shape, const std::array<int, 3>& divisions, double distortion,
                         dealii::Triangulation<dim, dim>& triangulation);
 
-/// Its vertices and cells.
+/// The vertices and cells of that triangulation.
 CellMesh triangulated_grid(const Shape& shape, const std::array<int, 3>& divisions, double distortion);
 
 }  // namespace femsph::fem

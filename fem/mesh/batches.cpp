@@ -14,7 +14,7 @@ Batches::Batches(const Mesh& mesh)
   scatter.resize(gather.size());
   slots = mesh.node_count();
   std::vector<int> owner(slots, -1), slot(slots, -1), slot_domain(slots, -1);
-  std::vector<std::tuple<int, int>> ghosts;  // node, slot; in domain order
+  std::vector<std::tuple<int, int>> ghosts;  // node and its extra slot, in the order of the domains
   for (std::size_t b = 0; b < count; ++b) {
     const int domain = static_cast<int>(b / batches_per_domain);
     for (std::size_t a = 0; a < corners; ++a)

@@ -5,8 +5,8 @@
 
 namespace femsph::fem {
 
-/// What the module calls of the program, and nothing else in some programs does: the linker would leave it
-/// out.
+/// The module calls this function of the program. In some programs nothing else does, and without this
+/// pointer the linker would leave it out.
 [[gnu::used]] const void* const asked_by_the_module = reinterpret_cast<const void*>(&principal_values);
 
 const DealIi& deal_ii() {

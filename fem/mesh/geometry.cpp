@@ -10,6 +10,7 @@ namespace femsph::fem {
 
 namespace {
 
+/// det dX/dxi at the Gauss points of a cell, m^dim.
 template <int dim>
 std::array<double, corners<dim>> jacobians(const Mesh& mesh, std::size_t cell) {
   double X[corners<dim> * dim];
@@ -80,11 +81,11 @@ double shortest_edge(const Mesh& mesh) {
 
 namespace {
 
-/// A straight edge or a bilinear face, its nodes lexicographic, -1 beyond them.
+/// The nodes of an edge or of a bilinear face, lexicographic; an edge has -1 in the last two.
 using Piece = std::array<int, 4>;
 
-/// All cell edges (dimension 1) or faces (dimension 2) whose nodes are all marked, once each. Those that two
-/// cells share are no boundary: `boundary_only` leaves them out.
+/// All cell edges (dimension 1) or faces (dimension 2) whose nodes are all marked, once each. `boundary_only`
+/// leaves out those that two cells share, which are not on the boundary.
 std::vector<Piece> marked_pieces(const Mesh& mesh, const std::vector<char>& marked, int dimension,
                                  bool boundary_only) {
   std::vector<std::pair<Piece, Piece>> found;  // sorted nodes, nodes
@@ -116,7 +117,7 @@ std::vector<Piece> marked_pieces(const Mesh& mesh, const std::vector<char>& mark
   return pieces;
 }
 
-/// Integral of each node's shape function over the piece.
+/// The integral of each node's shape function over the piece, m or m^2.
 std::array<double, 4> piece_shares(const Mesh& mesh, const Piece& piece) {
   std::array<double, 4> share{};
   if (piece[2] < 0) {
@@ -141,6 +142,7 @@ std::array<double, 4> piece_shares(const Mesh& mesh, const Piece& piece) {
   return share;
 }
 
+/// The weights of the points with a positive share, scaled to the sum 1.
 std::vector<Weight> normalised(const std::vector<double>& share) {
   double total = 0;
   for (const double s : share) total += s;

@@ -38,6 +38,7 @@ CellMesh box_grid(const Shape& box, const std::array<int, 3>& divisions) {
   return grid;
 }
 
+/// Area or volume of a cell, negative if it is left-handed.
 template <int dim>
 double measure(const CellMesh& grid, const std::array<int, 8>& cell) {
   double X[corners<dim> * dim];
@@ -50,7 +51,8 @@ double measure(const CellMesh& grid, const std::array<int, 8>& cell) {
   return sum;
 }
 
-/// deal.II wants cells of positive measure, so left-handed ones are mirrored.
+/// Renumbers the corners of left-handed cells (reversed along the first axis): deal.II expects cells of
+/// positive volume.
 void mirror_left_handed(CellMesh& grid) {
   for (auto& cell : grid.cells)
     if ((grid.dim == 2 ? measure<2>(grid, cell) : measure<3>(grid, cell)) < 0)
@@ -85,8 +87,7 @@ std::optional<CellMesh> given_cells(const Shape& shape, const std::array<int, 3>
   if (const CellMesh* cells = shape.cells()) return *cells;
   if (shape.is_box()) return std::nullopt;
   if (std::optional<CellMesh> cut = shape.cut(divisions)) return cut;
-  throw Refusal("FEM has no mesh for a " + shape.describe() +
-                "; give it as a body that comes with its own cells (shape = \"mesh\")");
+  throw Refusal("FEM has no mesh for a " + shape.describe() + "; give the body as a mesh (shape = \"mesh\")");
 }
 
 bool edges_agree(const CellMesh& grid) {

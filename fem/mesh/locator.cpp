@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <stdexcept>
 
 #include "fem/mesh/geometry.hpp"
 #include "model/input/faults.hpp"
@@ -26,7 +25,7 @@ Bounds bounds_of(const Mesh& mesh, std::size_t cell) {
   return b;
 }
 
-/// Solves the small system J d = r (Cramer).
+/// Solves J d = r for d by Cramer's rule; J is given by its columns.
 Point solve(const std::array<Point, 3>& column, const Point& r) {
   const auto det = [](const Point& a, const Point& b, const Point& c) {
     return a[0] * (b[1] * c[2] - b[2] * c[1]) - b[0] * (a[1] * c[2] - a[2] * c[1]) +
@@ -37,13 +36,14 @@ Point solve(const std::array<Point, 3>& column, const Point& r) {
       det(r, column[1], column[2]) / d, det(column[0], r, column[2]) / d, det(column[0], column[1], r) / d};
 }
 
-/// Reference coordinates of p in a cell; far outside it they mean "not here" and no more.
+/// Reference coordinates of p in a cell, each from -1 to 1, by Newton's method. Far outside of the cell the
+/// result is not accurate, and only tells that p is not in it.
 Point inverse_map(const Mesh& mesh, std::size_t cell, const Point& p) {
   Point xi{};
-  for (int turn = 0; turn < 20; ++turn) {
+  for (int iteration = 0; iteration < 20; ++iteration) {
     std::array<Point, 3> J{Point{}, Point{}, Point{0, 0, 1}};
-    for (int d = 0; d < mesh.dim;
-         ++d) {  // the map is linear in each coordinate: a difference is the derivative
+    // The map is linear in each coordinate, so a central difference is its derivative.
+    for (int d = 0; d < mesh.dim; ++d) {
       Point up = xi, down = xi;
       up[d] += 1;
       down[d] -= 1;
@@ -139,8 +139,8 @@ std::vector<Locator::Found> Locator::find_all(const Point& p) const {
   return found;
 }
 
-/// A curved side is made of straight edges, and a point under the curve lies in no cell: the nearest one
-/// stands for it, if it is near.
+/// The cell nearest to p, if it is near enough: straight edges replace a curved side, and a point between an
+/// edge and the curve lies in no cell.
 std::vector<Locator::Found> Locator::nearest(const Point& p) const {
   double reach = 0;
   for (int d = 0; d < mesh_.dim; ++d) reach += size_[d] * size_[d];

@@ -4,19 +4,16 @@
 #include <cmath>
 #include <cstdint>
 #include <numeric>
-#include <stdexcept>
 #include <utility>
 
 #include "fem/mesh/deal_ii.hpp"
 #include "fem/mesh/grid.hpp"
-#include "fem/options.hpp"
-#include "model/input/faults.hpp"
 
 namespace femsph::fem {
 
 namespace {
 
-/// Interleaves the bits of three numbers below 2^21: the Z-order curve.
+/// Position on the Z-order (Morton) curve: interleaves the bits of three numbers below 2^21.
 std::uint64_t interleave(const std::array<std::uint64_t, 3>& k) {
   std::uint64_t r = 0;
   for (int bit = 0; bit < 21; ++bit)
@@ -24,8 +21,8 @@ std::uint64_t interleave(const std::array<std::uint64_t, 3>& k) {
   return r;
 }
 
-/// Cells in compact blocks (64 x 64, or 16 x 16 x 16: one domain of batches) along the Z-order curve, row by
-/// row inside a block.
+/// Orders the cells in compact blocks (64 x 64, or 16 x 16 x 16: one domain of batches). Blocks follow the
+/// Z-order curve; inside a block cells go row by row.
 std::vector<std::size_t> compact_order(const std::vector<Point>& centres, const Point& lower,
                                        const Point& size, int dim) {
   using Key = std::array<std::uint64_t, 4>;

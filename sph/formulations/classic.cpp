@@ -1,6 +1,6 @@
-// Classic SPH: the uncorrected gradient sum_j V_j (u_j - u_i) (x) grad W_ij, as in the paper. In small motion
-// on the initial neighbours (total_lagrangian.hpp), in large motion on neighbours that follow the particles
-// (updated_lagrangian.hpp).
+// Classic SPH: the uncorrected gradient sum_j V_j (u_j - u_i) (x) grad W_ij, as in the paper (studies/paper).
+// In small motion on the initial neighbours (total_lagrangian.hpp), in large motion on neighbours that follow
+// the particles (updated_lagrangian.hpp).
 
 #include <algorithm>
 
@@ -23,10 +23,12 @@ void check_classic(const Scene& scene, std::size_t body, const Options& options,
                    const std::vector<MirrorPlane>& planes) {
   const bool is_virtual = options.boundary == Boundary::virtual_particles;
   if (is_virtual && (!scene.bodies[body].shape->is_box() || options.jitter > 0))
-    throw Refusal("virtual particles mirror a lattice in the straight sides of a box; this body is none");
+    throw Refusal(
+        "virtual particles mirror a regular lattice at the sides of a box; this body is not a box, or its "
+        "particles have jitter");
   if (scene.large_motion && options.boundary != Boundary::none)
     throw Refusal(
-        "virtual particles and boundary weights stand on initial neighbours; a scene with large motion "
+        "virtual particles and boundary weights need the initial neighbours; a scene with large motion "
         "cannot use them");
   if (is_virtual && !planes.empty())
     throw Refusal(
@@ -35,7 +37,7 @@ void check_classic(const Scene& scene, std::size_t body, const Options& options,
       scene.bars.begin(), scene.bars.end(), [&](const Bar& bar) { return bar.body == body; });
   if (scene.large_motion && (has_bars || !planes.empty()))
     throw Refusal(
-        "symmetry planes and bars stand on initial neighbours; classic SPH with large motion cannot use "
+        "symmetry planes and bars need the initial neighbours; classic SPH with large motion cannot use "
         "them");
 }
 
@@ -61,8 +63,8 @@ Formulation classic_formulation() {
                "classic-full", "the same, with the mass of a full cell for every particle", MassRule::full),
            classic_variant("classic-trapezoid", "the same, with half cells on sides and quarters on edges",
                            MassRule::trapezoid),
-           // Of the three mass rules these two come nearest to figs 5 to 10 of the paper: studies/uniaxial
-           // and studies/boundary.
+           // The mass rules of the next two are those that come nearest to figs 5 to 10 of the paper
+           // (studies/uniaxial, studies/boundary).
            classic_variant("virtual", "uncorrected gradient with virtual particles outside the surface",
                            MassRule::trapezoid, Boundary::virtual_particles),
            classic_variant("weight", "uncorrected gradient with a weight for the missing neighbours",

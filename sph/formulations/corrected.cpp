@@ -1,6 +1,6 @@
 // Corrected SPH: the gradient of linear fields is exact (gradient_operator.hpp), on the initial neighbours
-// (total_lagrangian.hpp), with hourglass control and, where the body keeps its volume, a mean change of
-// volume (mean_dilatation.hpp).
+// (total_lagrangian.hpp), with hourglass control and, where the material is nearly incompressible, the mean
+// change of volume over the neighbours (mean_dilatation.hpp).
 
 #include "model/material/flow_stress.hpp"
 #include "sph/formulations/discretize.hpp"
@@ -10,8 +10,8 @@ namespace femsph::sph {
 
 namespace {
 
-/// Plastic flow by von Mises' rule alone. With a tension rule the body opens, and the rule limits a mean
-/// stress that averaging must not raise again.
+/// Plastic flow by the von Mises criterion alone. With a tension rule the material cracks and its volume
+/// grows; the rule limits the mean stress, and an average over neighbours could raise it again.
 bool flows_at_constant_volume(const Plasticity* plasticity) {
   return plasticity && plasticity->tension == TensionRule::none;
 }
@@ -53,7 +53,8 @@ bool wants_mean_dilatation(const Options& options, const Law& law) {
   if (elastic.plane == Plane::stress) {
     if (options.dilatation == Dilatation::mean)
       throw Refusal(
-          "a mean dilatation is for bodies that keep their volume; in plane stress the thickness gives way");
+          "mean dilatation is for nearly incompressible bodies; in plane stress the thickness changes "
+          "freely");
     return false;
   }
   return options.dilatation == Dilatation::automatic

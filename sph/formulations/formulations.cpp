@@ -1,5 +1,5 @@
-// The list of SPH formulations. A new one is one source in this folder, which states a Formulation
-// (sph/options.hpp), and its name here, twice.
+// The list of SPH formulations. A new one is one source file in this folder that returns a Formulation
+// (sph/options.hpp); here its function is declared and called.
 
 #include "model/input/faults.hpp"
 #include "sph/formulations/discretize.hpp"

@@ -18,8 +18,8 @@ namespace femsph::sph {
 
 namespace {
 
-/// How far apart in number two neighbours of a lattice can be: what a block may load beyond the first and the
-/// last particle.
+/// The largest difference between the numbers of two neighbours on a lattice, and one block more: so far
+/// beyond the first and the last particle a block may load values.
 std::size_t reach(const Particles& p, const Kernel& kernel) {
   std::size_t far = lanes, step = 1;
   for (int a = 0; a < p.dim; ++a) {
@@ -29,8 +29,8 @@ std::size_t reach(const Particles& p, const Kernel& kernel) {
   return far;
 }
 
-/// A flat side that a round shape does not cut itself: of its own cells, as fine as the particles, the free
-/// sides that lie there.
+/// Pieces of a flat side for which a round shape gives none: the faces of its cells, as fine as the
+/// particles, that lie on the side.
 std::vector<SidePiece> flat_side(const Shape& shape, const std::string& side, double size, double spacing) {
   const StructuredShape* structured = shape.structured();
   if (!structured) return {};
@@ -46,8 +46,8 @@ std::vector<SidePiece> flat_side(const Shape& shape, const std::string& side, do
   return out;
 }
 
-/// The sides of a shape that a lattice fills in steps, each piece once, beyond those that `pieces` has.
-/// Symmetry planes are none: the body goes on there.
+/// Adds to `pieces` the other sides of a shape whose sides cut the lattice, each piece once. Symmetry planes
+/// are left out: they are not part of the surface.
 void add_other_sides(const Shape& shape, double size, const Particles& p,
                      std::vector<std::vector<SidePiece>>& pieces) {
   const auto on_plane = [&](const SidePiece& piece) {
@@ -74,7 +74,7 @@ void add_other_sides(const Shape& shape, double size, const Particles& p,
     add(side.empty() && !named_all && name.size() == 2 ? flat_side(shape, name, size, p.spacing)
                                                        : std::move(side));
   }
-  if (mesh) add(free_sides(*mesh, size));  // those without a name
+  if (mesh) add(free_sides(*mesh, size));  // the sides without a name
 }
 
 }  // namespace
@@ -130,7 +130,8 @@ std::vector<PointArea> ParticleBody::outward_areas(const Place& place) const {
   const double size = 0.2 * particles_.spacing;
   const bool own_operator = steps_ && formulation_.corrected && options_.mass == MassRule::trapezoid;
   const Kernel kernel(options_.kernel, particles_.dim, options_.smoothing * particles_.spacing);
-  if (own_operator && place.sides.empty() && !place.within && !place.point) {  // all around: side_areas.hpp
+  if (own_operator && place.sides.empty() && !place.within &&
+      !place.point) {  // the whole surface: side_areas.hpp
     const std::vector<Point> areas = operator_areas(particles_, kernel, options_);
     for (std::size_t i = 0; i < areas.size(); ++i) out.push_back({i, areas[i]});
     return out;
@@ -163,8 +164,8 @@ std::vector<PointArea> ParticleBody::outward_areas(const Place& place) const {
   return facet_areas(points_of(place));
 }
 
-/// By the hat functions of the lattice, so that force and moment are those of the piece; see
-/// partial_volumes.hpp.
+/// Shares the area of a piece among particles by the hat functions of the lattice, so that force and moment
+/// are those of the piece; see partial_volumes.hpp.
 void ParticleBody::share_out(const SidePiece& piece, std::vector<PointArea>& out) const {
   const Lattice& lattice = particles_.lattice;
   const auto give = [&](int particle, double factor) {

@@ -1,4 +1,4 @@
-// Which particles a place of the scene means, and with what weights.
+// The particles that a place of the scene stands for, and their weights.
 
 #include <algorithm>
 #include <cmath>
@@ -23,7 +23,8 @@ std::vector<Weight> scaled_to_one(std::vector<Weight> out) {
 
 }  // namespace
 
-/// A lattice has particles outside of the body too; none of these is on a side that the lattice meets.
+/// A lattice that a side cuts has particles outside of the body too. They are not counted on a side that lies
+/// on the lattice.
 bool ParticleBody::in_body(std::size_t i) const {
   return !steps_ || shape_->contains(particles_.position[i], 1e-6 * particles_.spacing);
 }
@@ -41,7 +42,7 @@ std::vector<Weight> ParticleBody::points_of(const Place& place) const {
     return {{nearest, 1.0}};
   }
   if (const std::vector<Weight> layer = layer_at(place); !layer.empty()) return layer;
-  // A side without area on a lattice that misses it: the nearest layer stands for it.
+  // If no particle lies on the place, the layer within half a spacing of it is taken.
   for (double tolerance : {1e-6 * particles_.spacing, 0.51 * particles_.spacing}) {
     for (std::size_t i = 0; i < particles_.size(); ++i) {
       const bool on = std::all_of(place.sides.begin(), place.sides.end(), [&](const std::string& side) {
@@ -57,9 +58,10 @@ std::vector<Weight> ParticleBody::points_of(const Place& place) const {
   return scaled_to_one(out);
 }
 
-/// The particles whose cells a side cuts. They share its area by the hat functions of the lattice; what these
-/// give to others goes to the particle in whose cell the piece lies. Of several sides those that all of them
-/// cut. Empty if the body is a box, or a side has no area.
+/// The particles whose cells a side cuts. They share the area of the side by the hat functions of the
+/// lattice; the part of a particle that is not among them goes to the particle in whose cell the piece lies.
+/// For several sides: the particles whose cells all of them cut. Empty if the body is a box, or if a side has
+/// no area.
 std::vector<Weight> ParticleBody::layer_at(const Place& place) const {
   if (!steps_ || place.sides.empty()) return {};
   std::vector<double> area(particles_.size(), std::numeric_limits<double>::infinity());
@@ -89,7 +91,7 @@ std::vector<Weight> ParticleBody::layer_at(const Place& place) const {
   return scaled_to_one(out);
 }
 
-/// The body's own particle in whose cell x lies, or the nearest if that place has none.
+/// The particle of the body in whose lattice cell x lies, or the nearest one if that place has no particle.
 std::size_t ParticleBody::owner_of(const Point& x) const {
   const Lattice& lattice = particles_.lattice;
   std::array<int, 3> at{};
@@ -113,17 +115,17 @@ std::size_t ParticleBody::owner_of(const Point& x) const {
   return nearest;
 }
 
-/// The area of the facets between the points of a fitted body's side, as their shape functions share it.
+/// Weights the points of a side of a fitted body by area: the integrals of the facets' shape functions.
 void ParticleBody::weigh_by_area(std::vector<Weight>& points) const {
   std::vector<double> area(particles_.size(), 0.0);
   for (const PointArea& part : facet_areas(points)) area[part.point] += norm(part.area);
   if (std::any_of(points.begin(), points.end(), [&](const Weight& w) { return area[w.point] == 0; }))
-    return;  // an inner side, or one without area
+    return;  // a side inside of the body, or one without area
   for (Weight& w : points) w.weight = area[w.point];
 }
 
-/// Share of a particle's cell, as far as it lies in the body, that lies in the region; directions in which
-/// the region is flat do not count.
+/// The share of a particle's cell that lies in the region, of its part within the bounding box of the body.
+/// Directions in which the region is flat do not count.
 double ParticleBody::share_within(const Region& region, std::size_t i) const {
   double share = 1;
   for (int a = 0; a < particles_.dim; ++a) {

@@ -1,4 +1,5 @@
-// The surface of a body of particles: its facets and their areas, and what the body fills around a particle.
+// The surface of a body of particles: its facets and their areas, and the share of the angle around a
+// particle that the body fills.
 
 #include <algorithm>
 #include <cmath>
@@ -11,8 +12,8 @@ namespace femsph::sph {
 
 namespace {
 
-/// What each corner of a facet has of its outward area, by the shape functions: a_k = integral of N_k n, so
-/// that sum x_k (x) a_k is the integral of x (x) n. Two Gauss points a direction are exact.
+/// The outward area vector of each corner of a facet, m^(dim - 1): a_k = integral of N_k n, so that
+/// sum x_k (x) a_k is the integral of x (x) n. Two Gauss points in each direction are exact.
 std::array<Point, 4> corner_areas(const Particles& p, const Facet& f) {
   const auto x = [&](int k) { return p.position[f.points[std::size_t(k)]]; };
   if (p.dim == 2) {
@@ -39,7 +40,7 @@ std::vector<Facet> ParticleBody::boundary() const {
   const Lattice& lattice = particles_.lattice;
   const bool plane = particles_.dim == 2;
   Topology cells = topology_of(particles_.dim, particles_.cells);
-  // What stands outside of a side that cuts the lattice would touch other bodies too soon.
+  // Particles outside of a side that cuts the lattice are left out: they would touch other bodies too soon.
   std::vector<char> inside(particles_.size(), 1);
   for (std::size_t i = 0; steps_ && i < inside.size(); ++i) inside[i] = in_body(i);
   for (const auto& [i, j, k] : lattice.place) {
@@ -48,7 +49,7 @@ std::vector<Facet> ParticleBody::boundary() const {
     for (int c = 0; c < (plane ? 4 : 8) && whole; ++c) {
       const int corner = lattice.particle(i + ((c + 1) / 2 % 2), j + (c / 2 % 2), k + c / 4);  // VTK order
       whole = corner >= 0 && std::size_t(corner) < particles_.size() &&
-              inside[std::size_t(corner)];  // no mirrored ones
+              inside[std::size_t(corner)];  // mirror images are left out
       cell[c] = std::size_t(corner);
     }
     if (whole) cells.cells.push_back(cell);
@@ -56,7 +57,7 @@ std::vector<Facet> ParticleBody::boundary() const {
   return boundary_of(cells);
 }
 
-/// One for each corner of each facet whose corners are all among `points`.
+/// One entry for each corner of each facet whose corners are all among `points`.
 std::vector<PointArea> ParticleBody::facet_areas(const std::vector<Weight>& points) const {
   std::vector<char> there(particles_.size(), 0);
   for (const Weight& w : points) there[w.point] = 1;
@@ -82,8 +83,9 @@ std::vector<Point> ParticleBody::uniform_stress_areas() const {
   return out;
 }
 
-/// Share of the full angle that the body fills at a particle. Where masses do not follow it: share of the
-/// lattice's cells around that are whole.
+/// The share of the full angle that the body fills at a particle. With the mass rules `share` and `full`,
+/// which do not store it: the share of the lattice cells around the particle that have particles at all
+/// corners.
 double ParticleBody::filled_share(std::size_t i) const {
   const Lattice& lattice = particles_.lattice;
   if (options_.mass == MassRule::trapezoid || lattice.place.empty()) return particles_.fraction[i];
@@ -101,8 +103,8 @@ double ParticleBody::filled_share(std::size_t i) const {
   return double(whole) / corners;
 }
 
-/// The strain of a particle on the surface is that of a place inside, or, uncorrected, none at all: q = f^10
-/// (1e-3 on a face) lets it tell no more than where there is nothing else.
+/// The strain of a particle on the surface is that of a place below the surface; without correction it is
+/// meaningless. The quality f^10 (1e-3 on a face) therefore gives it a weight only where no other is near.
 MaterialUnits ParticleBody::material_units() const {
   MaterialUnits units;
   units.dim = particles_.dim;

@@ -2,8 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <stdexcept>
-
 #include "model/numerics/vectors.hpp"
 #include "sph/operators/projection.hpp"
 
@@ -19,14 +17,14 @@ OperatorRows operator_rows(const Particles& particles, const Kernel& kernel, con
   OperatorRows out{rows_of(particles, kernel, options), {}, false, 1, {}};
   if (options.boundary == Boundary::virtual_particles) out.adjoint = transposed_rows(particles, *out.rows);
   if (area.empty()) return out;
-  // sum x . a = dim V of what the facets enclose, and that the stress must fill.
+  // sum x . a = dim V, with V the volume that the facets enclose (divergence theorem). The stress acts on it.
   double enclosed = 0, volume = 0;
   for (std::size_t i = 0; i < area.size(); ++i)
     enclosed += dot(particles.position[i], area[i]) / particles.dim, volume += particles.own_volume(i);
   const double fill = enclosed / volume;
   std::vector<double> filled = particles.volume;
   for (double& v : filled) v *= fill;
-  // Those of the body with its images.
+  // Area vectors of the body together with its mirror images.
   std::vector<Point> whole = area;
   for (std::size_t i = 0; i < area.size(); ++i)
     whole[i] = particles.along_planes(i, (1 / particles.part[i]) * area[i]);
@@ -34,9 +32,9 @@ OperatorRows operator_rows(const Particles& particles, const Kernel& kernel, con
   if (made.needless) return out;
   if (!made.rows || made.left > 1e-3)
     out.note = fmt::format(
-        "a uniform stress is in balance with its tractions to {:.1g} % of them only{}; more neighbours may "
-        "help: a larger smoothing length",
-        100 * made.left, made.rows ? "" : ", as no weights were found that would make it exact");
+        "a uniform stress is in balance with its surface tractions only to {:.1g} % of them{}; a larger "
+        "smoothing length (more neighbours) may help",
+        100 * made.left, made.rows ? "" : ", because no weights were found that make it exact");
   if (!made.rows) return out;
   out.rows = std::move(made.rows), out.adjoint = std::move(made.adjoint);
   out.projected = true, out.fill = fill;

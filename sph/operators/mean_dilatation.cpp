@@ -17,8 +17,8 @@ double reach_of_averages(const Particles& p) {
 
 AveragingRows::AveragingRows(const Particles& particles)
     : p_(particles), cells_(particles.position, particles.dim, reach_of_averages(particles)) {
-  // r <- sqrt(r / sum_j N_ij r_j) of the unscaled N (the symmetric scaling of Sinkhorn). A few turns will do,
-  // as D keeps constants in any case; and what is as good as 1 is 1, so that equal places keep equal rows.
+  // Symmetric Sinkhorn scaling of the unscaled N: r <- sqrt(r / sum_j N_ij r_j). A few iterations are enough,
+  // as D keeps constants in any case. Scales within 1e-4 of 1 become 1, so that equal places keep equal rows.
   scale_.assign(p_.position.size(), 1.0);
   struct Bond {
     int to;
@@ -35,8 +35,8 @@ AveragingRows::AveragingRows(const Particles& particles)
         worst, std::abs(std::accumulate(row.begin(), row.end(), own(i) - 1,
                                         [](double sum, const Neighbour& n) { return sum + n.w[0]; })));
   }
-  if (worst < 1e-4) return;  // a box
-  std::vector<Bond> bonds;   // each particle's, one after the other, itself first
+  if (worst < 1e-4) return;  // the body is a box: nothing to scale
+  std::vector<Bond> bonds;   // particle by particle, each with itself first
   std::vector<std::size_t> begin{0};
   for (std::size_t i = 0; i < p_.size(); ++i) {
     collect(i, row);
@@ -45,7 +45,7 @@ AveragingRows::AveragingRows(const Particles& particles)
     begin.push_back(bonds.size());
   }
   std::vector<double> next(p_.size());
-  for (int turn = 0; turn < 12; ++turn) {
+  for (int iteration = 0; iteration < 12; ++iteration) {
     for (std::size_t i = 0; i < p_.size(); ++i) {
       double sum = 0;
       for (std::size_t k = begin[i]; k < begin[i + 1]; ++k)
@@ -68,7 +68,7 @@ void AveragingRows::collect(std::size_t i, Row& out) const {
     for (int a = 0; a < p_.dim; ++a)
       r2 += std::pow((p_.position[std::size_t(j)][a] - p_.position[i][a]) / p_.lattice.spacing[a], 2);
     if (r2 >= 4 * (1 - 1e-9)) return;
-    // On a lattice in round numbers: equal places have equal rows to the last bit.
+    // On a lattice r2 is a whole number. Rounding makes the rows of equal places equal to the last bit.
     const double steps = p_.regular ? std::round(r2) : r2;
     const double least = std::min(p_.fraction[i], p_.fraction[std::size_t(j)]);
     out.push_back({j, {p_.volume[std::size_t(j)] / (cell * least) * std::exp2(-steps), 0, 0}, 0});

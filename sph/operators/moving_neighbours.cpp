@@ -17,13 +17,13 @@ std::size_t MovingNeighbours::bytes() const {
   return sum;
 }
 
-/// Two particles have come nearer by at most |m_i - t| + |m_j - t|, m their displacements since the search
-/// and t any vector: here the middle of the box that holds all m. Half the box's diagonal bounds |m - t|;
-/// only where that does not decide is each particle asked.
+/// Two particles have come nearer by at most |m_i - t| + |m_j - t|, where m are their displacements since the
+/// search and t is any vector: here the centre of the box that holds all m. Half of the box's diagonal bounds
+/// |m - t|. Only if this bound is too large, |m - t| of each particle is computed.
 bool MovingNeighbours::stale(const double* u) const {
   if (searched_.empty()) return true;
   const std::size_t n = start_.size(), chunk = 4096;
-  const auto worst_of = [&](auto&& part) {  // the same for any thread count: a maximum knows no order
+  const auto worst_of = [&](auto&& part) {  // a maximum does not depend on the order, nor on the threads
     std::vector<std::array<double, 6>> most((n + chunk - 1) / chunk);
     parallel_for(n, chunk, [&](std::size_t begin, std::size_t end) {
       for (std::size_t b = begin; b < end; b += chunk) most[b / chunk] = part(b, std::min(b + chunk, end));
@@ -79,8 +79,8 @@ void MovingNeighbours::search(const double* u) {
   cells_.build(position_, layout_.dim, radius_ + skin_);
   const bool first = searches_++ == 0;
   if (first) fullest_at_start_ = cells_.fullest();
-  // Particles that fall on one heap would ask for lists of all pairs: the lists stay as they are, for a run
-  // that has to stop.
+  // If very many particles gather in one cell, the lists would hold nearly all pairs. They are not made then:
+  // the run stops with a message.
   if (cells_.fullest() > 6 * fullest_at_start_ + 32) {
     crowded_ = std::size_t(cells_.one_of_fullest());
     return;
@@ -145,7 +145,7 @@ std::size_t MovingNeighbours::list(std::size_t particle, std::vector<std::int32_
       const double dx = x[m] - at[0], dy = y[m] - at[1], dz = z ? z[m] - at[2] : 0.0,
                    r2 = dx * dx + dy * dy + dz * dz;
       const int j = cells_.items()[std::size_t(m)];
-      out[count] = j;  // kept if it counts
+      out[count] = j;  // overwritten by the next one unless count grows
       const bool other = j != int(particle);
       count += other & (r2 < far2);
       within += other & (r2 < near2);
@@ -155,8 +155,8 @@ std::size_t MovingNeighbours::list(std::size_t particle, std::vector<std::int32_
   return count;
 }
 
-/// A gradient in `dim` dimensions takes dim + 1 neighbours that do not lie on a line: with fewer, and fewer
-/// than at the start, a particle has left its body.
+/// A particle with fewer than dim + 1 neighbours, and fewer than at the start, has left its body: a gradient
+/// in `dim` dimensions needs about that many.
 void MovingNeighbours::look_for_losses() {
   loss_.reset();
   for (std::size_t i = 0; i < near_.size(); ++i) {

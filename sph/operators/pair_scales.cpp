@@ -147,7 +147,8 @@ bool PairScales<dim>::invert(std::size_t i) {
   return det > 1e-6 && M[0][0] > 0 && cofactor[2][2] > 0;  // positive definite
 }
 
-/// Of row i: d scale = W J^T lambda, told to `take`, and the change of G that it makes:
+/// Row i of d scale = W J^T lambda, passed to `take`, and the change of G = scale b that follows, which is
+/// stored in change_:
 ///   d scale_ij = W V_i (lambda_ij - H x_ij) . b_ij,  H = sum_j lambda_ij (x) G_ij
 ///   dG_ij = d scale_ij b_ij - (sum_m d scale_im b_im (x) x_im) G_ij
 template <int dim>
@@ -185,7 +186,7 @@ void PairScales<dim>::changes(std::size_t i, const Vectors& lambda, Vectors& dif
   }
 }
 
-/// sum_k V_k change_ki - V_i sum_j change_ij.
+/// out_i = sum_k V_k change_ki - V_i sum_j change_ij.
 template <int dim>
 void PairScales<dim>::gather(Vectors& out) const {
   out.resize(n_);

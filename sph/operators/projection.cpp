@@ -10,7 +10,7 @@ namespace femsph::sph {
 
 namespace {
 
-constexpr double met = 1e-12;  ///< residual over the largest area vector: where to stop
+constexpr double met = 1e-12;  ///< stop at this residual, divided by the largest component of the areas
 constexpr int most_newton = 20, least_iterations = 100;
 constexpr double most_work = 5e7;  ///< iterations x pairs, a second or two
 
@@ -22,9 +22,9 @@ double largest_of(const Vectors& v) {
   return most;
 }
 
-/// Conjugate gradients on J W J^T lambda = r, scaled by the diagonal, until no component of what is left
-/// exceeds `enough`. The matrix is singular (A does not see affine lambda), r is in its range. Returns
-/// lambda.
+/// Solves J W J^T lambda = r by conjugate gradients, preconditioned by the diagonal, until no component of
+/// the residual exceeds `enough`. The matrix is singular (an affine lambda changes nothing), but r is in its
+/// range. Returns lambda.
 template <int dim>
 typename PairScales<dim>::Vectors solve(PairScales<dim>& pairs, typename PairScales<dim>::Vectors r,
                                         double enough, int most, int& iterations) {
@@ -39,7 +39,7 @@ typename PairScales<dim>::Vectors solve(PairScales<dim>& pairs, typename PairSca
   precondition();
   p = z;
   double rz = pairs.product(r, z);
-  // Round-off may not let the residual come as near as asked.
+  // Round-off may keep the residual above `enough`.
   const int last = std::min(most, iterations + std::max(500, 2 * iterations));
   while (largest_of(r) > enough && iterations < last) {
     ++iterations;
@@ -50,22 +50,22 @@ typename PairScales<dim>::Vectors solve(PairScales<dim>& pairs, typename PairSca
     for (std::size_t i = 0; i < n; ++i)
       for (int a = 0; a < dim; ++a) lambda[i][a] += step * p[i][a], r[i][a] -= step * q[i][a];
     precondition();
-    const double next = pairs.product(r, z), turn = next / rz;
+    const double next = pairs.product(r, z), ratio = next / rz;
     rz = next;
     for (std::size_t i = 0; i < n; ++i)
-      for (int a = 0; a < dim; ++a) p[i][a] = z[i][a] + turn * p[i][a];
+      for (int a = 0; a < dim; ++a) p[i][a] = z[i][a] + ratio * p[i][a];
   }
   return lambda;
 }
 
-/// Iterations that a body can have: many if it is small.
+/// The bound on the iterations: large for a small body.
 template <int dim>
 int most_iterations(const PairScales<dim>& pairs) {
   return int(std::max(double(least_iterations), most_work / double(pairs.pairs())));
 }
 
-/// Newton's method: A depends on the scales through B too. It is quadratic, so that each solution need be no
-/// better than the next residual.
+/// Newton's method, as A depends on the scales through B too. It converges quadratically, so each linear
+/// system is only solved to about the residual of the next step.
 template <int dim>
 Projection project_in(const Particles& particles, const RowSource& source, const std::vector<Point>& area,
                       const std::vector<double>& volume) {
@@ -93,7 +93,8 @@ Projection project_in(const Particles& particles, const RowSource& source, const
     const Vectors lambda = solve<dim>(pairs, r, enough * unit, most, out.iterations);
     const std::vector<double> before = pairs.scale();
     double left = 0;
-    for (double factor = 1; factor > 0.1; factor *= 0.5) {  // shorter steps where the full one leads away
+    for (double factor = 1; factor > 0.1;
+         factor *= 0.5) {  // a shorter step where the full one makes the residual larger
       std::vector<double> trial = before;
       pairs.scale() = before;
       pairs.refresh();

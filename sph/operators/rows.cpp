@@ -9,7 +9,7 @@ namespace femsph::sph {
 
 namespace {
 
-/// One neighbour place of a lattice.
+/// A neighbour on the lattice, `by` cells away along each axis.
 struct Offset {
   std::array<int, 3> by;
   double gradient[3];  ///< grad_i W_ij
@@ -33,6 +33,7 @@ std::vector<Offset> offsets_of(const Particles& p, const Kernel& kernel) {
   return out;
 }
 
+/// Neighbours by their place on the lattice.
 class LatticeRows : public RowSource {
  public:
   LatticeRows(const Particles& particles, const Kernel& kernel)
@@ -63,6 +64,8 @@ class LatticeRows : public RowSource {
   std::vector<Offset> offsets_;
 };
 
+/// As LatticeRows, with virtual particles beyond the sides, whose displacements depend linearly on the
+/// particles.
 class VirtualRows final : public LatticeRows {
  public:
   using LatticeRows::LatticeRows;
@@ -85,7 +88,8 @@ class VirtualRows final : public LatticeRows {
   }
 
  private:
-  /// A place along one axis as a sum of places inside: itself, or 2 (on the side) - (mirrored).
+  /// The value at a place along one axis as a sum over places in the body: the place itself, or, beyond a
+  /// side, 2 u(on the side) - u(mirrored place).
   struct Part {
     int at;
     double coefficient;
@@ -111,6 +115,7 @@ class VirtualRows final : public LatticeRows {
   }
 };
 
+/// Neighbours found by a grid of cells, for particles that are not on a lattice.
 class SearchRows final : public RowSource {
  public:
   SearchRows(const Particles& particles, const Kernel& kernel)
@@ -153,6 +158,7 @@ class StoredRows final : public RowSource {
  public:
   StoredRows(std::vector<Row> rows) : rows_(std::move(rows)) {}
   void row(std::size_t i, Row& out) const override { out = rows_[i]; }
+  /// Not used: only boundary weights and surface_weight_loss() need the sum, and their rows are not stored.
   double kernel_sum(std::size_t) const override { return 1; }
 
  private:

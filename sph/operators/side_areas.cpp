@@ -34,8 +34,8 @@ std::vector<Point> operator_areas(const Particles& particles, const Kernel& kern
 
 namespace {
 
-/// Squares of the distances from each particle to the nearest piece, `radius` squared where none is that
-/// near.
+/// Squares of the distances from each particle to the nearest piece; `radius` squared where no piece is
+/// nearer.
 std::vector<double> distances(const Particles& particles, const std::vector<SidePiece>& pieces,
                               double radius) {
   std::vector<Point> at;
@@ -74,7 +74,7 @@ std::vector<PointArea> balanced_side(
   }
   double extent = 0;
   for (std::size_t i = 0; i < n; ++i) extent = std::max(extent, norm(particles.position[i] - middle));
-  /// Rigid motion k at particle i: along an axis, or about one.
+  /// Rigid motion k at particle i: a translation along an axis, or a rotation about one through the middle.
   const auto motion = [&](std::size_t k, std::size_t i) {
     Point out{};
     if (k < dim)

@@ -18,7 +18,8 @@ auto LatticeStencils<dim>::slots_of_block(const RowSource& rows, std::size_t blo
     for (const Neighbour& n : scratch) {
       Slot s;
       std::memset(&s, 0, sizeof s);
-      for (int a = 0; a < dim; ++a) s.w[a] = n.w[a] + 0.0;  // -0 becomes 0: one pattern, one key
+      for (int a = 0; a < dim; ++a)
+        s.w[a] = n.w[a] + 0.0;  // -0 becomes 0, so that equal weights have equal bits
       s.scale = n.scale;
       s.offset = n.index - std::int32_t(i);
       s.mask = 1u << l;
@@ -84,7 +85,7 @@ ListStencils<dim>::ListStencils(const RowSource& rows, std::size_t particles) {
       most = std::max(most, row[l].size());
     }
     for (std::size_t k = 0; k < most; ++k) {
-      for (int l = 0; l < lanes; ++l)  // a lane with fewer neighbours looks at itself, with weight 0
+      for (int l = 0; l < lanes; ++l)  // a lane with fewer neighbours reads itself, with weight 0
         index_.push_back(k < row[l].size()
                              ? row[l][k].index
                              : std::int32_t(std::min(b * lanes + std::size_t(l), particles - 1)));
@@ -102,7 +103,7 @@ std::size_t ListStencils<dim>::bytes() const {
          weight_.size() * sizeof(double);
 }
 
-template class LatticeStencils<1>;  // of one value a particle: mean_dilatation.hpp
+template class LatticeStencils<1>;  // for one value per particle: mean_dilatation.hpp
 template class ListStencils<1>;
 template class LatticeStencils<2>;
 template class LatticeStencils<3>;

@@ -21,7 +21,7 @@ void CellList::build(const std::vector<Point>& points, int dim, double radius) {
   }
   while (double(count_[0]) * count_[1] * count_[2] > 4.0 * double(points.size()) + 1000) {
     const auto longest = std::max_element(count_.begin(), count_.end());
-    *longest = std::max(3, (*longest + 1) / 2);  // three: the cells around one must differ
+    *longest = std::max(3, (*longest + 1) / 2);  // a cell and its two neighbours along an axis must differ
     folded_[std::size_t(longest - count_.begin())] = true;
   }
   std::vector<int> cell_of(points.size());
@@ -56,7 +56,7 @@ int CellList::place(const Point& p, int a) const {
   if (count_[a] == 1) return 0;
   double c = std::floor((p[a] - lower_[a]) / cell_);
   if (folded_[a]) c -= count_[a] * std::floor(c / count_[a]);
-  if (!(c > 0)) return 0;  // not a number: anywhere
+  if (!(c > 0)) return 0;  // NaN: any cell will do
   return c < count_[a] ? int(c) : count_[a] - 1;
 }
 

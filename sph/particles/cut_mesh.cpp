@@ -1,4 +1,4 @@
-// A mesh's own cells cut into pieces of about the spacing, so that their corners can be particles.
+// Cuts the cells of a mesh into pieces of about the spacing. The corners of the pieces become the particles.
 
 #include <fmt/format.h>
 
@@ -14,15 +14,17 @@ namespace femsph::sph {
 
 namespace {
 
-/// What one smoothing length suits, of the spacing: up to sqrt(2) the kernel (radius 2 d) still reaches
-/// neighbours on the diagonal; down to 0.4 a particle has six (plane) to fifteen times (in space) the
-/// neighbours, which costs time only.
+/// Bounds on the edges of the pieces, in spacings d, so that one smoothing length serves all of them. Up to
+/// sqrt(2) the kernel (radius 2 d) still reaches neighbours on the diagonal. At 0.4 a particle has 6 times
+/// (2D) to 15 times (3D) as many neighbours, which only costs time.
 constexpr double least = 0.35, most = 1.6;
 
-/// Edges that must have one number of pieces, with the lengths of the shortest and the longest of them.
-class Strips {
+/// Groups of edges that must be cut into the same number of pieces (opposite edges of a cell, and so on from
+/// cell to cell), each with the lengths of its shortest and its longest edge. One edge is the root of a
+/// group.
+class EdgeGroups {
  public:
-  explicit Strips(const CellMesh& mesh) : mesh_(mesh) {
+  explicit EdgeGroups(const CellMesh& mesh) : mesh_(mesh) {
     for (std::size_t c = 0; c < mesh.cells.size(); ++c)
       for (int a = 0; a < mesh.dim; ++a) {
         int first = -1;
@@ -44,7 +46,7 @@ class Strips {
     }
   }
 
-  /// Along each axis of a cell.
+  /// Number of pieces along each axis of a cell.
   std::array<int, 3> pieces(int cell, double spacing) {
     std::array<int, 3> n{1, 1, 1};
     for (int a = 0; a < mesh_.dim; ++a)
@@ -52,7 +54,7 @@ class Strips {
           cell, a, [&](int p, int q) { n[a] = pieces_of(std::size_t(root(number_of(p, q))), spacing); });
     return n;
   }
-  /// The shortest and the longest piece.
+  /// Lengths of the shortest and of the longest piece edge of the whole mesh, m.
   std::pair<double, double> range(double spacing) {
     std::pair<double, double> out{1e300, 0};
     for (std::size_t r = 0; r < parent_.size(); ++r)
@@ -84,10 +86,10 @@ class Strips {
       edge = parent_[std::size_t(edge)] = parent_[std::size_t(parent_[std::size_t(edge)])];
     return edge;
   }
-  /// The number that leaves the shortest and the longest piece equally far from the spacing.
-  int pieces_of(std::size_t strip, double spacing) const {
+  /// The number for which the geometric mean of the shortest and the longest piece is nearest to the spacing.
+  int pieces_of(std::size_t group, double spacing) const {
     return std::max(
-        1, int(std::min(1e6, std::round(std::sqrt(shortest_[strip] * longest_[strip]) / spacing))));
+        1, int(std::min(1e6, std::round(std::sqrt(shortest_[group] * longest_[group]) / spacing))));
   }
 
   const CellMesh& mesh_;
@@ -96,9 +98,10 @@ class Strips {
   std::vector<double> shortest_, longest_;
 };
 
-/// Corners of the pieces, shared between cells where they lie on a common vertex, edge or face. What such a
-/// place is, however the cells that share it are turned: the corners of the edge or face, and the weight of
-/// each (a whole number over the product of the numbers of pieces).
+/// Numbers the corners of the pieces. Cells share a corner that lies on a common vertex, edge or face. Its
+/// key does not depend on how the cells are oriented: the vertices of that edge or face, and the integer
+/// weight of each (its shape function times the product of the numbers of pieces, with common factors
+/// removed).
 class Corners {
  public:
   explicit Corners(CellMesh& mesh) : mesh_(mesh) {}
@@ -112,11 +115,11 @@ class Corners {
       for (int a = 0; a < patch.k; ++a)
         if (n[a] != 0) weight *= v >> a & 1 ? at[a] : n[a] - at[a];
       if (weight == 0) continue;
-      if (count == key.size()) return add(patch, n, at);  // inside of a hexahedron
+      if (count == key.size()) return add(patch, n, at);  // inside a hexahedron: not shared
       key[count++] = {cell[std::size_t(v)], weight};
     }
     if (patch.k == 2 && count == 4) return add(patch, n, at);
-    // Of the axes along which the place is at an end, the number of pieces is no matter.
+    // Along an axis where the corner is at an end of the cell, the number of pieces must not matter.
     long common = 0;
     for (std::size_t k = 0; k < count; ++k) common = std::gcd(common, key[k].second);
     for (std::size_t k = 0; k < count; ++k) key[k].second /= common;
@@ -160,17 +163,17 @@ void cut_cell(const CellMesh& mesh, const std::array<int, 8>& cell, const std::a
 }  // namespace
 
 std::optional<CellMesh> cut_to_spacing(const CellMesh& mesh, double spacing, std::string& why) {
-  Strips strips(mesh);
-  if (!strips.suits(spacing)) {
-    const auto [low, high] = strips.range(spacing);
+  EdgeGroups groups(mesh);
+  if (!groups.suits(spacing)) {
+    const auto [low, high] = groups.range(spacing);
     why = fmt::format(
-        "its mesh cuts into pieces of {:.3g} to {:.3g} mm at best, too uneven for particles {:.3g} mm apart: "
-        "they stand on a lattice instead, "
-        "and stress near curved and slanted sides is rougher",
+        "its mesh can only be cut into pieces of {:.3g} to {:.3g} mm, too uneven for particles {:.3g} mm "
+        "apart: the particles are placed on a lattice instead, and stress near curved and slanted sides is "
+        "less accurate",
         low * 1e3, high * 1e3, spacing * 1e3);
     for (double finer = spacing / 1.1; finer > spacing / 12; finer /= 1.1)
-      if (strips.suits(finer)) {
-        why += fmt::format("; a spacing of {:.3g} mm follows the mesh", finer * 1e3);
+      if (groups.suits(finer)) {
+        why += fmt::format("; with a spacing of {:.3g} mm they follow the mesh", finer * 1e3);
         break;
       }
     return std::nullopt;
@@ -179,7 +182,7 @@ std::optional<CellMesh> cut_to_spacing(const CellMesh& mesh, double spacing, std
   out.dim = mesh.dim;
   Corners corners(out);
   for (std::size_t c = 0; c < mesh.cells.size(); ++c)
-    cut_cell(mesh, mesh.cells[c], strips.pieces(int(c), spacing), corners, out);
+    cut_cell(mesh, mesh.cells[c], groups.pieces(int(c), spacing), corners, out);
   return out;
 }
 

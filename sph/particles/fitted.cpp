@@ -1,4 +1,4 @@
-// Particles that follow the sides of a round or slanted body: the corners of its own cells.
+// Particles that follow the sides of a round or slanted body: they are the corners of the body's cells.
 
 #include <fmt/format.h>
 
@@ -19,7 +19,8 @@ namespace femsph::sph {
 
 namespace {
 
-/// Adds each corner's integral of its shape function to `volume`; two Gauss points a direction are exact.
+/// Adds to `volume` the integral of each corner's shape function over the cell; two Gauss points in each
+/// direction integrate it exactly.
 void add_shares(const CellMesh& mesh, const std::array<int, 8>& cell, std::vector<double>& volume) {
   Patch patch{mesh.dim, {}};
   for (int v = 0; v < patch.corner_count(); ++v) patch.corners[v] = mesh.vertices[cell[v]];
@@ -35,8 +36,10 @@ void add_shares(const CellMesh& mesh, const std::array<int, 8>& cell, std::vecto
   }
 }
 
-/// Share of the full angle (solid angle in space) at each corner of a cell. In space, of three edges a, b, c:
-/// tan(Omega/2) = a.(b x c) / (abc + (a.b) c + (a.c) b + (b.c) a) (van Oosterom & Strackee 1983).
+/// Adds to `fraction` the angle of the cell at each of its corners, as a share of the full angle. In 3D it is
+/// a solid angle; of three edges a, b, c
+///   tan(Omega/2) = a.(b x c) / (|a||b||c| + (a.b) |c| + (a.c) |b| + (b.c) |a|)
+/// (van Oosterom and Strackee, IEEE Trans. Biomed. Engng 30, 1983).
 void add_angles(const CellMesh& mesh, const std::array<int, 8>& cell, std::vector<double>& fraction) {
   const auto edge = [&](int from, int to) {
     return mesh.vertices[std::size_t(cell[to])] - mesh.vertices[std::size_t(cell[from])];
@@ -56,8 +59,8 @@ void add_angles(const CellMesh& mesh, const std::array<int, 8>& cell, std::vecto
   }
 }
 
-/// Numbers vertices so that neighbours are near in memory: in slabs eight spacings thick along x, in them row
-/// by row.
+/// Renumbers the vertices so that neighbours are near in memory: slab by slab, a slab being eight spacings
+/// thick along x, and row by row within a slab.
 void sort_vertices(CellMesh& mesh, double spacing) {
   std::vector<std::array<double, 4>> key;
   for (const Point& x : mesh.vertices)
@@ -73,9 +76,9 @@ void sort_vertices(CellMesh& mesh, double spacing) {
     for (int v = 0; v < 1 << mesh.dim; ++v) cell[v] = number[std::size_t(cell[v])];
 }
 
-/// The vertices on free sides of the cells, beyond which the body does not go on.
-std::vector<char> on_the_rim(const CellMesh& mesh, const std::vector<MirrorPlane>& planes) {
-  std::vector<char> rim(mesh.vertices.size(), 0);
+/// Marks the vertices on the surface of the body. A symmetry plane is not part of it.
+std::vector<char> surface_vertices(const CellMesh& mesh, const std::vector<MirrorPlane>& planes) {
+  std::vector<char> on_surface(mesh.vertices.size(), 0);
   for (const Facet& facet : boundary_of(topology_of(mesh.dim, mesh.cells))) {
     const Point &p = mesh.vertices[facet.points[0]], &q = mesh.vertices[facet.points[1]],
                 &r = mesh.vertices[facet.points[mesh.dim == 3 ? 2 : 1]];
@@ -84,13 +87,13 @@ std::vector<char> on_the_rim(const CellMesh& mesh, const std::vector<MirrorPlane
           return m.holds(p, tolerance) && m.holds(q, tolerance) && m.holds(r, tolerance);
         }))
       continue;
-    for (int k = 0; k < 2 * (mesh.dim - 1); ++k) rim[facet.points[std::size_t(k)]] = 1;
+    for (int k = 0; k < 2 * (mesh.dim - 1); ++k) on_surface[facet.points[std::size_t(k)]] = 1;
   }
-  return rim;
+  return on_surface;
 }
 
-/// Cells of a shape that can cut itself.
-CellMesh own_cut(const StructuredShape& shape, const Options& options) {
+/// The cells of a shape that can be divided into cells by a formula, with edges of about the spacing.
+CellMesh divided_shape(const StructuredShape& shape, const Options& options) {
   const Point lower = shape.lower(), upper = shape.upper();
   std::array<int, 3> divisions{1, 1, 1};
   for (int a = 0; a < shape.dim(); ++a) {
@@ -119,10 +122,10 @@ std::optional<Particles> fill_fitted(const Shape& shape, const Options& options,
   const double places = shape.measure() / std::pow(options.spacing, shape.dim());
   if (places > 5e8)
     throw std::runtime_error(fmt::format(
-        "a spacing of {:g} mm asks for more than {:.1e} particles (about {:.0f} GB); take a coarser one",
+        "a spacing of {:g} mm needs more than {:.1e} particles (about {:.0f} GB); take a coarser one",
         options.spacing * 1e3, places, places * 300e-9));
   const StructuredShape* structured = shape.structured();
-  std::optional<CellMesh> cut = structured ? own_cut(*structured, options)
+  std::optional<CellMesh> cut = structured ? divided_shape(*structured, options)
                                            : cut_to_spacing(*shape.cells(), options.spacing, why);
   if (!cut) return std::nullopt;
   CellMesh& mesh = *cut;
@@ -140,12 +143,12 @@ std::optional<Particles> fill_fitted(const Shape& shape, const Options& options,
   p.fraction.assign(p.size(), 0.0);
   for (const auto& cell : mesh.cells) add_shares(mesh, cell, p.volume), add_angles(mesh, cell, p.fraction);
   if (structured)
-    match_moments(shape, planes, p.position, on_the_rim(mesh, planes),
-                  p.volume);  // what the chords of a round side leave out
+    match_moments(shape, planes, p.position, surface_vertices(mesh, planes),
+                  p.volume);  // adds the volume between the chords and a round side
   double count = 0;
   for (std::size_t i = 0; i < p.size(); ++i) {
     p.part[i] = part_of(p.position[i], p.spacing, planes);
-    p.volume[i] /= p.part[i];  // that of the body with its images
+    p.volume[i] /= p.part[i];  // the volume in the body and its mirror images
     p.fraction[i] = std::min(p.fraction[i] / p.part[i], 1.0);
     count += p.part[i];
   }
@@ -157,7 +160,7 @@ std::optional<Particles> fill_fitted(const Shape& shape, const Options& options,
 
 Particles fill_best(const Shape& shape, const Options& options, const std::vector<MirrorPlane>& planes) {
   std::string why;
-  // A lattice that follows all sides is better still, and cheaper.
+  // A lattice that follows all sides is more accurate and cheaper than fitted particles.
   const bool follows = shape.cells() && follows_sides(shape, lattice_over(shape, options.spacing));
   if (!follows && is_fitted(shape, options))
     if (std::optional<Particles> fitted = fill_fitted(shape, options, planes, why)) return *std::move(fitted);

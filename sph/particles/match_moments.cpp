@@ -11,7 +11,8 @@ void match_moments(const Shape& shape, const std::vector<MirrorPlane>& planes, c
   const std::size_t n = std::size_t(shape.dim()) + 1;
   const Point centroid = shape.centroid(), lower = shape.lower(), upper = shape.upper();
   const double measure = shape.measure();
-  /// 1 and x - c, lengths over those of the bounding box: of the unknowns a and b.
+  /// Basis functions of the unknowns a and b: 1 and x - c, each component divided by the length of the
+  /// bounding box along its axis.
   const auto basis = [&](const Point& x) {
     std::array<double, 4> q{1, 0, 0, 0};
     for (std::size_t a = 1; a < n; ++a) q[a] = (x[a - 1] - centroid[a - 1]) / (upper[a - 1] - lower[a - 1]);

@@ -12,28 +12,30 @@ namespace {
 
 enum : char { empty, full, cut };
 
-class Hats {
+/// Integrates the hat functions of all places of a lattice over a shape.
+class HatIntegrals {
  public:
-  Hats(const Shape& shape, const Lattice& lattice, const std::vector<MirrorPlane>& planes)
-      : shape_(shape), l_(lattice), planes_(planes), dim_(shape.dim()) {
+  HatIntegrals(const Shape& shape, const Lattice& lattice, const std::vector<MirrorPlane>& planes)
+      : shape_(shape), lattice_(lattice), planes_(planes), dim_(shape.dim()) {
     for (int a = 0; a < dim_; ++a)
-      cells_[a] = l_.count[a] - 1, spacing_ = a ? std::min(spacing_, l_.spacing[a]) : l_.spacing[a];
-    out_.share.assign(l_.at.size(), 0.0);
-    out_.border.assign(l_.at.size(), 0);
+      cells_[a] = lattice_.count[a] - 1,
+      spacing_ = a ? std::min(spacing_, lattice_.spacing[a]) : lattice_.spacing[a];
+    out_.share.assign(lattice_.at.size(), 0.0);
+    out_.border.assign(lattice_.at.size(), 0);
     state_.assign(std::size_t(cells_[0]) * cells_[1] * cells_[2], full);
   }
 
-  /// Which cells are full, empty, cut?
-  void look() {
+  /// Finds which cells are full, empty or cut by a side.
+  void classify() {
     const CellMesh* mesh = shape_.cells();
     if (mesh) mark_sides(*mesh);
-    if (!shape_.is_box()) each_cell([&](const std::array<int, 3>& c) { look_at(c, mesh != nullptr); });
+    if (!shape_.is_box()) each_cell([&](const std::array<int, 3>& c) { classify_cell(c, mesh != nullptr); });
   }
   bool any_cut() const { return std::find(state_.begin(), state_.end(), cut) != state_.end(); }
 
   PartialVolumes integrate() {
     const CellMesh* mesh = shape_.cells();
-    look();
+    classify();
     each_cell([&](const std::array<int, 3>& c) {
       const char state = state_[cell(c)];
       for (int v = 0; v < 1 << dim_; ++v) {
@@ -57,13 +59,14 @@ class Hats {
   }
   std::size_t node(const std::array<int, 3>& c, int v) const {
     return std::size_t(c[0] + (v & 1)) +
-           std::size_t(l_.count[0]) * (std::size_t(c[1] + (v >> 1 & 1)) +
-                                       std::size_t(l_.count[1]) * std::size_t(c[2] + (v >> 2 & 1)));
+           std::size_t(lattice_.count[0]) *
+               (std::size_t(c[1] + (v >> 1 & 1)) +
+                std::size_t(lattice_.count[1]) * std::size_t(c[2] + (v >> 2 & 1)));
   }
-  /// The point at xi of a cell.
+  /// The point of cell c with local coordinates xi, each from 0 to 1.
   Point at(const std::array<int, 3>& c, const std::array<double, 3>& xi) const {
-    Point x = l_.origin;
-    for (int a = 0; a < dim_; ++a) x[a] += (c[a] + xi[a]) * l_.spacing[a];
+    Point x = lattice_.origin;
+    for (int a = 0; a < dim_; ++a) x[a] += (c[a] + xi[a]) * lattice_.spacing[a];
     return x;
   }
   template <class Act>
@@ -78,8 +81,8 @@ class Hats {
     return phi;
   }
 
-  /// Cells of the lattice whose inside a free side of the mesh's cells crosses; one that lies on the lattice
-  /// crosses none.
+  /// Marks the lattice cells whose inside is crossed by the surface of the mesh. A surface that lies on
+  /// planes of the lattice crosses none.
   void mark_sides(const CellMesh& mesh) {
     for (const Facet& facet : boundary_of(topology_of(dim_, mesh.cells))) {
       Patch patch{dim_ - 1, {}};
@@ -98,8 +101,8 @@ class Hats {
       double least = 0, most = 0;
       for (int v = 0; v < patch.corner_count(); ++v) {
         const double x = (patch.at({v & 1 ? high[0] : low[0], v >> 1 & 1 ? high[1] : low[1], 0})[a] -
-                          l_.origin[a]) /
-                         l_.spacing[a];
+                          lattice_.origin[a]) /
+                         lattice_.spacing[a];
         least = v ? std::min(least, x) : x, most = v ? std::max(most, x) : x;
       }
       first[a] = std::max(0, int(std::floor(least + 1e-6)));
@@ -110,10 +113,11 @@ class Hats {
         for (int i = first[0]; i <= last[0]; ++i) state_[cell({i, j, k})] = cut;
   }
 
-  /// Full, empty, or cut? Of a mesh the cut ones are known.
-  void look_at(const std::array<int, 3>& c, bool mesh) {
+  /// Finds whether a cell is full, empty or cut, by sample points in it. For a mesh the cut cells are marked
+  /// already, and the centre decides.
+  void classify_cell(const std::array<int, 3>& c, bool mesh) {
     if (state_[cell(c)] == cut) return;
-    const double e = 1e-6;  // off the cell's own sides, which may be the body's
+    const double e = 1e-6;  // keeps off the sides of the cell, which may be sides of the body
     if (mesh) {
       state_[cell(c)] = shape_.contains(at(c, {0.5, 0.5, 0.5}), e * spacing_) ? full : empty;
       return;
@@ -125,8 +129,9 @@ class Hats {
     state_[cell(c)] = inside == all ? full : inside == 0 ? empty : cut;
   }
 
-  /// A cut cell along lines: of the axes the one across the side. On each line the pieces inside are found by
-  /// bisection, and the hats integrated exactly.
+  /// Integrates the hat functions over the part of a cut cell inside the body, along lines parallel to one
+  /// axis: the one most nearly normal to the side. On each line the pieces inside are found by bisection, and
+  /// on them the integral is exact.
   void add_lines(const std::array<int, 3>& c) {
     const int axis = axis_across(c), lines = dim_ == 3 ? 6 : 12;
     for (int q = 0; q < (dim_ == 3 ? lines * lines : lines); ++q) {
@@ -137,13 +142,14 @@ class Hats {
       const double weight = dim_ == 3 ? 1.0 / (lines * lines) : 1.0 / lines;
       for (const auto& [from, to] : pieces_inside(c, xi, axis))
         for (int v = 0; v < 1 << dim_; ++v) {
-          xi[axis] = v >> axis & 1 ? 1 : 0;  // the other factors
+          xi[axis] = v >> axis & 1 ? 1 : 0;  // makes the factor along `axis` 1: `along` takes its place
           const double along = v >> axis & 1 ? 0.5 * (to * to - from * from)
                                              : (to - from) - 0.5 * (to * to - from * from);
           out_.share[node(c, v)] += weight * hat(v, xi) * along;
         }
     }
   }
+  /// The axis along which the two halves of the cell differ most in how much of them is inside.
   int axis_across(const std::array<int, 3>& c) const {
     int best = 0, most = -1;
     for (int axis = 0; axis < dim_; ++axis) {
@@ -158,21 +164,22 @@ class Hats {
     }
     return best;
   }
+  /// Intervals of the line inside the body, in local coordinates; pieces shorter than 1/8 may be missed.
   std::vector<std::pair<double, double>> pieces_inside(const std::array<int, 3>& c, std::array<double, 3> xi,
                                                        int axis) const {
     const auto inside = [&](double t) {
       xi[axis] = t;
       return shape_.contains(at(c, xi), 0.0);
     };
-    constexpr int looks = 8;
+    constexpr int samples = 8;
     std::vector<std::pair<double, double>> out;
     bool before = inside(1e-9);
     double from = 0;
-    for (int k = 1; k <= looks; ++k) {
-      const double end = k == looks ? 1 - 1e-9 : double(k) / looks;
+    for (int k = 1; k <= samples; ++k) {
+      const double end = k == samples ? 1 - 1e-9 : double(k) / samples;
       const bool now = inside(end);
       if (now != before) {
-        double low = double(k - 1) / looks, high = end;
+        double low = double(k - 1) / samples, high = end;
         for (int halves = 0; halves < 28; ++halves) {
           const double middle = 0.5 * (low + high);
           (inside(middle) == before ? low : high) = middle;
@@ -188,6 +195,7 @@ class Hats {
     return out;
   }
 
+  /// Numbers of pieces no larger than `size` along each axis of a patch.
   static std::array<int, 3> cuts(const Patch& patch, double size) {
     std::array<int, 3> n{1, 1, 1};
     for (int a = 0; a < patch.k; ++a)
@@ -199,12 +207,13 @@ class Hats {
     return n;
   }
 
-  /// The places at cut cells anew, by Gauss points of a mesh's cells cut into pieces that are small against
-  /// the lattice's.
+  /// Integrates the hat functions of all places at cut cells again, over the cells of the mesh. Each is
+  /// divided into pieces that are small against a lattice cell, with two Gauss points in each direction of a
+  /// piece.
   void add_mesh(const CellMesh& mesh) {
     for (std::size_t i = 0; i < out_.share.size(); ++i)
       if (out_.border[i]) out_.share[i] = 0;
-    std::vector<char> near(state_.size(), 0);  // within one cell of one with such a place
+    std::vector<char> near(state_.size(), 0);  // cells that have such a place, and their neighbours
     each_cell([&](const std::array<int, 3>& c) {
       bool any = false;
       for (int v = 0; v < 1 << dim_; ++v) any = any || out_.border[node(c, v)];
@@ -217,7 +226,7 @@ class Hats {
           for (int i = first[0]; i <= last[0]; ++i) near[cell({i, j, k})] = 1;
     });
     double volume = 1;
-    for (int a = 0; a < dim_; ++a) volume *= l_.spacing[a];
+    for (int a = 0; a < dim_; ++a) volume *= lattice_.spacing[a];
     const double g[2] = {0.5 - 0.5 / std::sqrt(3.0), 0.5 + 0.5 / std::sqrt(3.0)};
     for (const auto& own : mesh.cells) {
       Patch patch{dim_, {}};
@@ -239,26 +248,28 @@ class Hats {
       }
     }
   }
+  /// The lattice cell that holds x, and the local coordinates of x in it.
   std::pair<std::array<int, 3>, std::array<double, 3>> cell_of(const Point& x) const {
     std::pair<std::array<int, 3>, std::array<double, 3>> out{};
     for (int a = 0; a < dim_; ++a) {
-      const double t = (x[a] - l_.origin[a]) / l_.spacing[a];
+      const double t = (x[a] - lattice_.origin[a]) / lattice_.spacing[a];
       out.first[a] = std::clamp(int(std::floor(t)), 0, cells_[a] - 1);
       out.second[a] = std::clamp(t - out.first[a], 0.0, 1.0);
     }
     return out;
   }
 
+  /// Removes the error of the integration from volume and first moment.
   void match() {
     if (std::none_of(out_.border.begin(), out_.border.end(), [](char b) { return b != 0; })) return;
     std::vector<Point> places(out_.share.size());
     double volume = 1;
-    for (int a = 0; a < dim_; ++a) volume *= l_.spacing[a];
+    for (int a = 0; a < dim_; ++a) volume *= lattice_.spacing[a];
     for (std::size_t i = 0; i < places.size(); ++i) {
-      const std::size_t n = std::size_t(l_.count[0]), m = std::size_t(l_.count[1]);
+      const std::size_t n = std::size_t(lattice_.count[0]), m = std::size_t(lattice_.count[1]);
       const std::size_t index[3] = {i % n, i / n % m, i / n / m};
-      places[i] = l_.origin;
-      for (int a = 0; a < dim_; ++a) places[i][a] += double(index[a]) * l_.spacing[a];
+      places[i] = lattice_.origin;
+      for (int a = 0; a < dim_; ++a) places[i][a] += double(index[a]) * lattice_.spacing[a];
       out_.share[i] *= volume;
     }
     match_moments(shape_, planes_, places, out_.border, out_.share);
@@ -266,7 +277,7 @@ class Hats {
   }
 
   const Shape& shape_;
-  const Lattice& l_;
+  const Lattice& lattice_;
   const std::vector<MirrorPlane> planes_;
   int dim_;
   double spacing_ = 0;
@@ -279,13 +290,13 @@ class Hats {
 
 PartialVolumes partial_volumes(const Shape& shape, const Lattice& lattice,
                                const std::vector<MirrorPlane>& planes) {
-  return Hats(shape, lattice, planes).integrate();
+  return HatIntegrals(shape, lattice, planes).integrate();
 }
 
 bool follows_sides(const Shape& shape, const Lattice& lattice) {
-  Hats hats(shape, lattice, {});
-  hats.look();
-  return !hats.any_cut();
+  HatIntegrals integrals(shape, lattice, {});
+  integrals.classify();
+  return !integrals.any_cut();
 }
 
 }  // namespace femsph::sph

@@ -15,8 +15,10 @@ namespace femsph::sph {
 
 namespace {
 
-constexpr double least_share_outside = 0.2, least_share_inside = 1e-3;  ///< of a cell
+/// The smallest share of a lattice cell for which a place outside or inside of the body gets a particle.
+constexpr double least_share_outside = 0.2, least_share_inside = 1e-3;
 
+/// Whether all places around this one have particles.
 bool deep_inside(const Lattice& lattice, const std::array<int, 3>& at, int dim) {
   for (int a = 0; a < 27; ++a) {
     const int di = a % 3 - 1, dj = a / 3 % 3 - 1, dk = a / 9 - 1;
@@ -26,7 +28,8 @@ bool deep_inside(const Lattice& lattice, const std::array<int, 3>& at, int dim) 
   return true;
 }
 
-/// The share rule counts particles as the body with its images would: those on a plane belong to it by half.
+/// Volumes by the mass rules `share` and `full`. `share` counts a particle on a symmetry plane as a half: the
+/// other half belongs to the mirror image of the body.
 void give_volumes(Particles& p, const Shape& shape, MassRule rule, const std::vector<MirrorPlane>& planes) {
   p.part.assign(p.size(), 1.0);
   for (std::size_t i = 0; i < p.size(); ++i) p.part[i] = part_of(p.position[i], p.spacing, planes);
@@ -46,10 +49,12 @@ std::array<int, 3> folded(std::array<int, 3> at, const Lattice& lattice,
   return at;
 }
 
-/// What a place without a particle stands for goes to particles next to it, with its first moment.
-void hand_over(Particles& p, const PartialVolumes& volumes, const std::vector<MirrorPlane>& planes) {
+/// Gives the volume of each place without a particle to particles next to it, such that the first moment is
+/// kept (heirs() in partial_volumes.hpp).
+void share_with_neighbours(Particles& p, const PartialVolumes& volumes,
+                           const std::vector<MirrorPlane>& planes) {
   const Lattice& lattice = p.lattice;
-  std::vector<double> more(p.size(), 0.0);
+  std::vector<double> added(p.size(), 0.0);
   std::size_t slot = 0;
   for (int k = 0; k < lattice.count[2]; ++k)
     for (int j = 0; j < lattice.count[1]; ++j)
@@ -61,15 +66,15 @@ void hand_over(Particles& p, const PartialVolumes& volumes, const std::vector<Mi
         };
         for (const auto& [heir, factor] :
              heirs(p.dim, {i, j, k}, particle, [&](int particle) { return p.volume[std::size_t(particle)]; }))
-          more[std::size_t(heir)] += factor * volumes.share[slot] * p.cell / p.part[std::size_t(heir)];
+          added[std::size_t(heir)] += factor * volumes.share[slot] * p.cell / p.part[std::size_t(heir)];
       }
-  for (std::size_t i = 0; i < p.size(); ++i) p.volume[i] += more[i];
+  for (std::size_t i = 0; i < p.size(); ++i) p.volume[i] += added[i];
 }
 
-/// Numbers the particles slab by slab, a slab being eight of them thick along x; within it rows along x come
-/// first as before. Lists reach their neighbours one by one: those in the same slab or the one before are
-/// still in the processor's nearer caches, those of a whole long layer are not. And the eight particles of a
-/// block go on looking alike, so that their lists are of one length.
+/// Renumbers the particles slab by slab, a slab being eight particles thick along x; within a slab row by row
+/// along x. Neighbour lists read their particles one by one: those of the same or the previous slab are still
+/// in the faster caches, those of a whole long layer are not. The eight particles of a block keep similar
+/// surroundings, so their lists have about the same length.
 void number_by_slabs(Particles& p) {
   Lattice& lattice = p.lattice;
   std::vector<std::size_t> order(p.size());
@@ -107,7 +112,7 @@ Lattice lattice_over(const Shape& shape, double spacing) {
     places *= cells + 1;
     if (places > 5e8)
       throw std::runtime_error(fmt::format(
-          "a spacing of {:g} mm asks for more than {:.1e} particles (about {:.0f} GB); take a coarser one",
+          "a spacing of {:g} mm needs more than {:.1e} particles (about {:.0f} GB); take a coarser one",
           spacing * 1e3, places, places * 300e-9));
     lattice.count[a] = int(cells) + 1;
     lattice.spacing[a] = length / cells;
@@ -128,8 +133,8 @@ Particles fill(const Shape& shape, const Options& options, const std::vector<Mir
   }
   const bool partial = options.mass == MassRule::trapezoid;
   const PartialVolumes volumes = partial ? partial_volumes(shape, lattice, planes) : PartialVolumes{};
-  // Particles are the places in the body; with partial volumes those outside too that stand for a good part
-  // of a cell in it.
+  // Particles are the places in the body; with partial volumes also those outside whose V_i is a good part of
+  // a cell.
   const auto belongs = [&](std::size_t slot, const Point& x) {
     if (!partial) return shape.contains(x, 1e-6 * p.spacing);
     const double share = volumes.share[slot] / part_of(x, p.spacing, planes);
@@ -156,7 +161,7 @@ Particles fill(const Shape& shape, const Options& options, const std::vector<Mir
       const auto [x, y, z] = lattice.place[i];
       p.volume[i] = p.cell * (volumes.share[lattice.slot(x, y, z)] / p.part[i]);
     }
-    hand_over(p, volumes, planes);
+    share_with_neighbours(p, volumes, planes);
   }
   p.fraction.assign(p.size(), 1.0);
   for (std::size_t i = 0; partial && i < p.size(); ++i) p.fraction[i] = p.volume[i] / p.cell;

@@ -278,7 +278,8 @@ TEST(Filling, UnevenMeshesAreFilledByALatticeWithAWarning) {
              uneven = sph::discretize(scene_of(strip(8, 4, 0, 0.9)), 0, corrected(0.1));
   EXPECT_TRUE(even->warnings().empty());
   ASSERT_EQ(uneven->warnings().size(), 1u);
-  EXPECT_TRUE(uneven->warnings()[0].starts_with("its mesh cuts into pieces of ")) << uneven->warnings()[0];
+  EXPECT_TRUE(uneven->warnings()[0].starts_with("its mesh can only be cut into pieces of "))
+      << uneven->warnings()[0];
 }
 
 }  // namespace

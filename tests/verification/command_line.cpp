@@ -79,7 +79,7 @@ TEST_F(CommandLine, ScenesThatAMethodRefusesExitWithThree) {
       "run " + large + " --solver sph-classic-share --spacing '2.5 mm' --out " + path("out"));
   EXPECT_EQ(o.code, 3) << o.text;
   EXPECT_EQ(o.text,
-            "femsph: symmetry planes and bars stand on initial neighbours; classic SPH with large motion "
+            "femsph: symmetry planes and bars need the initial neighbours; classic SPH with large motion "
             "cannot use them\n");
   const Outcome coarse = run_femsph("check " + bar() + " --solver fem --spacing '1 m'");
   EXPECT_EQ(coarse.code, 3) << coarse.text;
