@@ -8,6 +8,7 @@
 #include "compare/price/advise.hpp"
 #include "compare/program/commands.hpp"
 #include "model/input/faults.hpp"
+#include "model/input/lookup.hpp"
 #include "model/input/units.hpp"
 #include "model/numerics/parallel.hpp"
 #include "model/results/recorder.hpp"
@@ -49,26 +50,15 @@ const Probe& probe_of(const Scene& scene, const std::string& name) {
     throw BadCommand(fmt::format(
         "{} has no probe; expected [[probes]] with the quantity whose error matters", scene.file));
   if (name.empty()) return scene.probes.front();
-  std::vector<std::string> names;
-  for (const Probe& probe : scene.probes) {
-    if (probe.name == name) return probe;
-    names.push_back(probe.name);
-  }
-  throw BadCommand(fmt::format("--probe: no probe is called {}; expected {}{}", in_quotes(name),
-                               one_of(names), did_you_mean(name, names)));
+  return entry_named<BadCommand>(
+      scene.probes, name, &Probe::name, "--probe: no probe is called " + in_quotes(name));
 }
 
 Reduce reduce_of(const Scene& scene, const std::string& word) {
   static const std::vector<std::pair<std::string, Reduce>> known = {
       {"final", Reduce::final}, {"peak", Reduce::peak}, {"mean", Reduce::mean}};
   if (word.empty()) return scene.settling ? Reduce::final : Reduce::peak;
-  std::vector<std::string> names;
-  for (const auto& [name, reduce] : known) {
-    if (name == word) return reduce;
-    names.push_back(name);
-  }
-  throw BadCommand(fmt::format(
-      "--reduce: {} is unknown; expected {}{}", in_quotes(word), one_of(names), did_you_mean(word, names)));
+  return value_named<BadCommand>(known, word, fmt::format("--reduce: {} is unknown", in_quotes(word)));
 }
 
 /// The component with the largest value in a coarse run, by the first method that can make one.

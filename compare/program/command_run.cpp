@@ -9,6 +9,7 @@
 #include "compare/run/plan/method_option.hpp"
 #include "compare/run/run_output.hpp"
 #include "model/input/faults.hpp"
+#include "model/input/lookup.hpp"
 #include "model/input/toml_fields.hpp"
 #include "model/input/units.hpp"
 #include "model/motion/bodies/price.hpp"
@@ -40,9 +41,8 @@ void refuse_idle(const std::string& flag, const MethodOption& option, const Meth
 }
 
 const std::string& checked_word(const MethodOption& option, const std::string& value) {
-  if (std::find(option.words.begin(), option.words.end(), value) != option.words.end()) return value;
-  throw BadCommand(fmt::format("{} cannot be {}; expected {}{}", flag_of(option), in_quotes(value),
-                               one_of(option.words), did_you_mean(value, option.words)));
+  return entry_named<BadCommand>(option.words, value, std::identity{},
+                                 fmt::format("{} cannot be {}", flag_of(option), in_quotes(value)));
 }
 
 /// The options of the method that the command line changes. First refuses those that would do nothing, then

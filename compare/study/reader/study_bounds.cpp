@@ -73,7 +73,7 @@ void one_bound(Fields& fields, StudyReading& reading) {
   reading.study.bounds.push_back(bound);
 }
 
-void one_expectation(Fields& fields, StudyReading& reading) {
+void one_expectation(Fields& fields, StudyReading& reading, bool bounds_known) {
   Expectation expectation;
   expectation.cases = read_names(fields, "cases", case_names(reading.study), "case", reading.runs_known);
   expectation.methods = read_names(
@@ -83,10 +83,11 @@ void one_expectation(Fields& fields, StudyReading& reading) {
           .value_or(std::vector<std::string>{});
   expectation.reason = fields.text("reason", Need::required, "why it must fail").value_or("");
   fields.done();
-  if (reading.runs_known && !some_row(reading.study, expectation.cases, expectation.methods,
-                                      [](const QuantitySpec&) { return true; }))
+  if (reading.runs_known && reading.quantities_known &&
+      !some_row(
+          reading.study, expectation.cases, expectation.methods, [](const QuantitySpec&) { return true; }))
     fields.fault("cases", "no run has these cases and methods together; expected words of one run");
-  if (reading.study.bounds.empty())
+  if (reading.study.bounds.empty() && bounds_known)
     fields.fault("messages", "[[expectations]] without [[bounds]]; expected bounds that the failure breaks");
   reading.study.expectations.push_back(expectation);
 }
@@ -123,7 +124,8 @@ KeyTable expectation_keys() {
 
 void read_bounds(Fields& root, StudyReading& reading) {
   for (Fields& fields : root.tables("bounds")) one_bound(fields, reading);
-  for (Fields& fields : root.tables("expectations")) one_expectation(fields, reading);
+  const bool bounds_known = !root.misspelt({"bounds"});
+  for (Fields& fields : root.tables("expectations")) one_expectation(fields, reading, bounds_known);
 }
 
 }  // namespace femsph::compare

@@ -6,6 +6,7 @@
 
 #include "compare/study/reader/study_page.hpp"
 #include "compare/study/reader/study_reading.hpp"
+#include "model/input/lookup.hpp"
 #include "model/input/units.hpp"
 
 namespace femsph::compare {
@@ -75,8 +76,8 @@ std::optional<std::string> read_word(Fields& fields, const char* key, std::strin
   if (!word) return {};
   const auto known = known_words(member, planned);
   if (!planned.complete || std::find(known.begin(), known.end(), *word) != known.end()) return word;
-  fields.fault(key, fmt::format("no run has the {} {}; expected {}{}", key, in_quotes(*word), one_of(known),
-                                did_you_mean(*word, known)));
+  fields.fault(
+      key, fmt::format("no run has the {} {}{}", key, in_quotes(*word), expected_names(*word, known)));
   return {};
 }
 
@@ -159,7 +160,7 @@ void one_claim(Fields& fields, StudyReading& reading, const Planned& planned) {
   claim.note = fields.text("note", Need::optional).value_or("");
   claim.reference = fields.choice("reference", Need::optional, claim_references).value_or(Reference::theory);
   const auto kind = fields.choice("kind", Need::required, claim_kinds);
-  if (!kind) return;
+  if (!kind) return fields.accept_rest(), fields.done();
   claim.kind = *kind;
   read_kind(fields, claim, planned);
   fields.done();
@@ -256,7 +257,7 @@ void read_paper(Fields& root, StudyReading& reading) {
     number.error_percent = fields.number("error_percent", Need::optional);
     number.source =
         fields.text("source", Need::required, "where the paper says it, such as \"fig 14\"").value_or("");
-    if (!fields.has("value") && !fields.has("error_percent"))
+    if (!fields.has("value") && !fields.has("error_percent") && !fields.misspelt({"value", "error_percent"}))
       fields.fault("value", "expected \"value\", \"error_percent\" or both in [[paper]]");
     fields.done();
     if (number.rows.quantity) check_filter(fields, "quantity", number.rows, planned);

@@ -6,6 +6,7 @@
 
 #include "compare/reference/theory.hpp"
 #include "compare/run/plan/run_result.hpp"
+#include "model/input/lookup.hpp"
 #include "model/results/history_columns.hpp"
 
 namespace femsph::compare {
@@ -36,8 +37,8 @@ std::string column_unit(const Fields& fields, const std::string& column,
     }
   }
   if (!known.empty())
-    fields.fault("column", fmt::format("no column of a history is called {}; expected {}{}",
-                                       in_quotes(column), one_of(known), did_you_mean(column, known)));
+    fields.fault("column", fmt::format("no column of a history is called {}{}", in_quotes(column),
+                                       expected_names(column, known)));
   return "";
 }
 
@@ -78,9 +79,8 @@ std::optional<Found> find_observer(Fields& fields, const char* key, const std::s
       for (const Section& s : read.sections) names.push_back(s.name);
     else
       for (const Probe& p : read.probes) names.push_back(p.name);
-    fields.fault(
-        key, fmt::format("no {} is called {} in {}{}{}", key, in_quotes(name), file,
-                         names.empty() ? "" : "; expected " + one_of(names), did_you_mean(name, names)));
+    fields.fault(key, fmt::format("no {} is called {} in {}{}", key, in_quotes(name), file,
+                                  names.empty() ? "" : expected_names(name, names)));
     return {};
   }
   return found;
@@ -135,6 +135,7 @@ Observed read_observed(Fields& fields, const std::optional<std::string>& scene,
   observed.section = section.value_or("");
   observed.column = energy ? *energy : column.value_or("");
   observed.scalar = scalar.value_or("");
+  if (fields.misspelt({"probe", "section", "energy", "scalar", "column", "component"})) return observed;
   if (probe.has_value() + section.has_value() + energy.has_value() + scalar.has_value() +
           column.has_value() !=
       1) {
@@ -144,17 +145,9 @@ Observed read_observed(Fields& fields, const std::optional<std::string>& scene,
     return observed;
   }
   std::string si = scalar ? scalar_unit(*scalar) : column ? column_unit(fields, *column, scene, study) : "J";
-  if (const auto known = scalar_names();
-      scalar && std::find(known.begin(), known.end(), *scalar) == known.end()) {
-    fields.fault("scalar", fmt::format("unknown scalar {}; expected {}{}", in_quotes(*scalar), one_of(known),
-                                       did_you_mean(*scalar, known)));
-    return observed;
-  }
+  if (scalar && !fields.position_of(*scalar, scalar_names(), "scalar", "scalar")) return observed;
   if (column && si.empty()) return observed;
-  const std::vector<std::string>& energies = energy_columns();
-  if (energy && std::find(energies.begin(), energies.end(), *energy) == energies.end())
-    fields.fault("energy", fmt::format("unknown energy {}; expected {}{}", in_quotes(*energy),
-                                       one_of(energies), did_you_mean(*energy, energies)));
+  if (energy) fields.position_of(*energy, energy_columns(), "energy", "energy");
   if (probe || section) {
     const char* key = probe ? "probe" : "section";
     const auto found = find_observer(fields, key, probe ? *probe : *section, scene, study);

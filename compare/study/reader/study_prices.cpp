@@ -31,12 +31,14 @@ Key quantity_key() {
           true};
 }
 
-/// The quantity of this name, or null after a fault.
-const QuantitySpec* known_quantity(Fields& fields, const std::string& name, const StudyReading& reading) {
+/// The quantity that the key "quantity" names, or null after a fault.
+const QuantitySpec* read_quantity(Fields& fields, const StudyReading& reading) {
+  const auto name = fields.text("quantity", Need::required, one_of(quantity_names(reading.study)));
+  if (!name) return nullptr;
   for (const QuantitySpec& quantity : reading.study.quantities)
-    if (quantity.name == name) return &quantity;
+    if (quantity.name == *name) return &quantity;
   require_known(
-      fields, "quantity", "quantity", name, quantity_names(reading.study), reading.quantities_known);
+      fields, "quantity", "quantity", *name, quantity_names(reading.study), reading.quantities_known);
   return nullptr;
 }
 
@@ -82,7 +84,8 @@ void one_price(Fields& fields, StudyReading& reading) {
   PriceSpec price;
   price.name = read_name(fields, study);
   price.title = fields.text("title", Need::optional).value_or(price.name);
-  price.quantity = fields.text("quantity", Need::required, one_of(quantity_names(study))).value_or("");
+  const QuantitySpec* quantity = read_quantity(fields, reading);
+  if (quantity) price.quantity = quantity->name;
   price.reference = fields.choice("reference", Need::optional, price_references).value_or(price.reference);
   if (const auto errors = fields.numbers("errors", Need::optional)) {
     price.errors = *errors;
@@ -93,7 +96,6 @@ void one_price(Fields& fields, StudyReading& reading) {
   price.spacing = fields.quantity("spacing", Need::optional, dimension::length, Sign::positive);
   price.base = read_base(fields, reading);
   fields.done();
-  const QuantitySpec* quantity = known_quantity(fields, price.quantity, reading);
   if (quantity && !quantity->scene && study.scenes.size() > 1)
     fields.fault(
         "quantity", fmt::format("{} is a quantity of several scenes; expected one that names its scene",
@@ -107,18 +109,18 @@ void one_price(Fields& fields, StudyReading& reading) {
 void one_advice(Fields& fields, StudyReading& reading) {
   const Study& study = reading.study;
   AdviceSpec advice;
-  advice.quantity = fields.text("quantity", Need::required, one_of(quantity_names(study))).value_or("");
+  const QuantitySpec* quantity = read_quantity(fields, reading);
+  if (quantity) advice.quantity = quantity->name;
   advice.error = fields.number("error", Need::optional, "percent above 0");
   advice.within = fields.quantity("within", Need::optional, dimension::time, Sign::positive);
   advice.budget =
       fields.quantity("budget", Need::optional, dimension::time, Sign::positive).value_or(advice.budget);
   advice.methods = read_methods(fields, Need::optional);
   fields.done();
-  if (fields.has("error") == fields.has("within"))
+  if (fields.has("error") == fields.has("within") && !fields.misspelt({"error", "within"}))
     fields.fault(
         "error", "expected either \"error\", in percent, or \"within\", a time, in " + fields.name());
   if (advice.error && *advice.error <= 0) fields.fault("error", "\"error\" is not above 0; expected percent");
-  const QuantitySpec* quantity = known_quantity(fields, advice.quantity, reading);
   if (quantity && (quantity->reduce == Reduce::l2 || (!quantity->scene && study.scenes.size() > 1)))
     fields.fault(
         "quantity",

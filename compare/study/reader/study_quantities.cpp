@@ -94,7 +94,8 @@ std::optional<ReferenceTable> read_table(Fields& fields, const QuantitySpec& qua
 }
 
 /// There is something to compare with, and the reduction fits what is read.
-void check_reduction(Fields& fields, const QuantitySpec& quantity, const Study& study) {
+void check_reduction(Fields& fields, const QuantitySpec& quantity, const StudyReading& reading) {
+  const Study& study = reading.study;
   const bool history_l2 = quantity.reduce == Reduce::l2 &&
                           !quantity.observed.probe.empty();  // against a theory over time
   if (history_l2 && !quantity.table && !(quantity.theory && theory_named(*quantity.theory).on_time()))
@@ -106,7 +107,7 @@ void check_reduction(Fields& fields, const QuantitySpec& quantity, const Study& 
                  "\"reduce\" does not fit; expected fibre_upper, fibre_lower, l2 or moment for a section, "
                  "and one of the others for a probe or an energy");
   if (quantity.reduce == Reduce::l2 && !quantity.theory && !quantity.table && !study.limit &&
-      study.limits.empty())
+      study.limits.empty() && reading.limits_known)
     fields.fault("reduce", "l2 has nothing to compare with; expected \"theory\", or [limit] in the study");
 }
 
@@ -119,6 +120,12 @@ void one_quantity(Fields& fields, StudyReading& reading) {
   quantity.methods = read_names(
       fields, "methods", method_labels(reading.study), "method", reading.runs_known);
   const auto reduce = fields.choice<Reduce>("reduce", Need::optional, reduction_words());
+  if ((fields.has("reduce") && !reduce) ||
+      fields.misspelt({"scene", "methods", "reduce", "probe", "section", "energy", "scalar", "column",
+                       "component", "theory", "reference", "reference_file"})) {
+    reading.quantities_known = false;
+    return fields.accept_rest(), fields.done();  // other keys depend on this one
+  }
   quantity.reduce = reduce.value_or(Reduce::final);
   const std::string si = reduction_of(quantity.reduce).unit;
   quantity.observed = read_observed(fields, quantity.scene, si, reading.study);
@@ -155,7 +162,7 @@ void one_quantity(Fields& fields, StudyReading& reading) {
   check_window(fields, quantity, reading.study);
   check_fit(fields, quantity);
   check_twice(fields, quantity, reading.study);
-  check_reduction(fields, quantity, reading.study);
+  check_reduction(fields, quantity, reading);
   reading.study.quantities.push_back(quantity);
 }
 
@@ -190,6 +197,7 @@ KeyTable quantity_along_keys() {
 }
 
 void read_quantities(Fields& root, StudyReading& reading) {
+  if (root.misspelt({"quantities"})) reading.quantities_known = false;
   for (Fields& fields : root.tables("quantities")) one_quantity(fields, reading);
 }
 

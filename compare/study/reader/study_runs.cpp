@@ -81,9 +81,10 @@ std::vector<Resolution> read_resolutions(Fields& fields, int dim) {
   const auto spacings = fields.quantities("spacing", Need::optional, dimension::length, Sign::positive);
   const auto divisions = fields.texts("divisions", Need::optional, divisions_expected);
   if (fields.has("spacing") == fields.has("divisions")) {
-    fields.fault("spacing",
-                 "expected either \"spacing\", such as [\"20 mm\", \"10 mm\"], or \"divisions\", such as "
-                 "[\"20x2\", \"40x4\"]");
+    if (!fields.misspelt({"spacing", "divisions"}))
+      fields.fault("spacing",
+                   "expected either \"spacing\", such as [\"20 mm\", \"10 mm\"], or \"divisions\", such as "
+                   "[\"20x2\", \"40x4\"]");
     return all;
   }
   for (const double spacing : spacings.value_or(std::vector<double>{})) all.push_back({spacing, {}});
@@ -169,14 +170,16 @@ void refuse_same_cells(Fields& fields, const Scene* scene, const std::vector<Met
 void one_block(Fields& fields, StudyReading& reading, int ladder) {
   const std::string file =
       fields.text("scene", Need::optional, "the file of a scene").value_or(reading.default_scene);
-  const Scene* scene = scene_of(fields, "scene", file, reading);
+  const Scene* scene = fields.misspelt({"scene"}) ? nullptr : scene_of(fields, "scene", file, reading);
   std::size_t faults = reading.faults.size();
   std::vector<Method> chosen = read_methods(fields, Need::required);
   const std::size_t before = reading.faults.size();
   const auto resolutions = read_resolutions(fields, scene ? scene->dim() : 0);
-  const auto cases = read_cases(fields, resolutions, reading.faults.size() == before);
+  const bool misspelt = fields.misspelt(
+      {"scene", "methods", "spacing", "divisions", "cases", "label", "options", "smoothing_lengths"});
+  const auto cases = read_cases(fields, resolutions, !misspelt && reading.faults.size() == before);
   const auto label = fields.text("label", Need::optional, "a name for the method in tables");
-  if (reading.faults.size() > faults) reading.runs_known = false;
+  if (misspelt || reading.faults.size() > faults) reading.runs_known = false;
   const auto quick = read_names(fields, "quick", cases, "case", reading.runs_known);
   const auto step = fields.quantity("step", Need::optional, dimension::time, Sign::positive);
   const std::string safety_expected =
@@ -228,6 +231,7 @@ std::optional<std::array<int, 3>> parse_divisions(const std::string& text) {
 
 void read_runs(Fields& root, StudyReading& reading) {
   int ladder = 0;
+  if (root.misspelt({"runs", "studies"})) reading.runs_known = false;
   for (Fields& fields : root.tables("runs")) one_block(fields, reading, ladder++);
 }
 
@@ -261,8 +265,8 @@ LimitSpec ladder_limit(Fields& fields, const std::string& scene, const StudyRead
   const auto rungs = std::count_if(study.runs.begin(), study.runs.end(), [&](const PlannedRun& run) {
     return run.label == limit.ladder && run.scene == scene;
   });
-  if (require_known(fields, "ladder", "method", limit.ladder, method_labels(study), reading.runs_known) &&
-      rungs < 3 && reading.runs_known)
+  if (!limit.ladder.empty() && reading.runs_known &&
+      require_known(fields, "ladder", "method", limit.ladder, method_labels(study), true) && rungs < 3)
     fields.fault(
         "ladder", fmt::format("{} runs {} at {} spacings; expected three or more to extrapolate from",
                               in_quotes(limit.ladder), in_quotes(scene), rungs));
@@ -271,9 +275,10 @@ LimitSpec ladder_limit(Fields& fields, const std::string& scene, const StudyRead
 
 void scene_limit(Fields& fields, StudyReading& reading) {
   const auto name = read_scene_name(fields, Need::required, reading);
-  if (!name) return fields.accept_rest();
-  const LimitSpec limit = fields.has("ladder") ? ladder_limit(fields, *name, reading)
-                                               : one_limit(fields, reading.study.scenes.at(*name).dim());
+  if (!name) return fields.accept_rest(), fields.done();
+  const bool by_ladder = fields.has("ladder") || fields.misspelt({"ladder"});
+  const LimitSpec limit = by_ladder ? ladder_limit(fields, *name, reading)
+                                    : one_limit(fields, reading.study.scenes.at(*name).dim());
   fields.done();
   reading.study.limits[*name] = limit;
 }
@@ -286,6 +291,7 @@ void read_limit(Fields& root, StudyReading& reading) {
     reading.study.limit = one_limit(*fields, 0);
     fields->done();
   }
+  if (root.misspelt({"limit", "limits"})) reading.limits_known = false;
   for (Fields& fields : root.tables("limits")) scene_limit(fields, reading);
 }
 

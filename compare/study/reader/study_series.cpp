@@ -32,15 +32,18 @@ void one_series(Fields& fields, StudyReading& reading) {
   const Study& study = reading.study;
   SeriesSpec series;
   series.file = read_file_name(fields);
-  series.kind = fields.choice("kind", Need::required, series_kinds).value_or(Kind::error);
+  const auto kind = fields.choice("kind", Need::required, series_kinds);
+  if (!kind) return fields.accept_rest(), fields.done();
+  series.kind = *kind;
   series.cases = read_names(fields, "cases", case_names(study), "case", reading.runs_known);
   series.methods = read_names(fields, "methods", method_labels(study), "method", reading.runs_known);
   if (series.kind == Kind::error || series.kind == Kind::cases) {
     const auto known = quantity_names(study);
-    series.quantity = fields.text("quantity", Need::required, one_of(known)).value_or("");
+    const auto quantity = fields.text("quantity", Need::required, one_of(known));
+    series.quantity = quantity.value_or("");
     series.reference =
         fields.choice("reference", Need::optional, series_references).value_or(Reference::theory);
-    if (!series.quantity.empty())
+    if (quantity)
       require_known(fields, "quantity", "quantity", series.quantity, known, reading.quantities_known);
   } else {
     series.scene = read_scene_name(fields, Need::optional, reading);
@@ -55,7 +58,8 @@ void one_series(Fields& fields, StudyReading& reading) {
     if (series.kind == Kind::history)
       series.time_unit = read_unit(
           fields, "time_unit", fields.text("time_unit", Need::optional).value_or("ms"), "s");
-    if (series.observed.section.empty() == (series.kind == Kind::profile))
+    if (series.observed.section.empty() == (series.kind == Kind::profile) &&
+        !fields.misspelt({"probe", "section", "energy", "scalar", "column"}))
       fields.fault("kind",
                    "\"kind\" does not fit; expected \"profile\" with a section, \"history\" with a probe or "
                    "an energy");

@@ -130,7 +130,8 @@ std::optional<Place> read_place(Fields& fields, const Reading& reading) {
   const bool by_point = fields.has("point");
   const bool rigid = body && reading.scene.bodies[*body].rigid;
   // A body without a material is rigid, or has a fault.
-  const bool needs_at = !by_point && body && !reading.scene.bodies[*body].material.empty();
+  const bool needs_at = !by_point && !fields.misspelt({"point"}) && body &&
+                        !reading.scene.bodies[*body].material.empty();
   const auto at = fields.text("at", needs_at ? Need::required : Need::optional, expected);
   const auto point = fields.vector("point", Need::optional, dimension::length, reading.dim);
   const auto within = fields.corners("within", Need::optional, dimension::length, reading.dim);
