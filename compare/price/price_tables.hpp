@@ -10,7 +10,8 @@ namespace femsph::compare {
 std::string price_csv(const std::vector<PricedScene>& scenes);
 /// All methods at one spacing: scene,method,spacing_mm,error_percent,cpu_s,ratio_to_cheapest.
 std::string spacing_csv(const std::vector<PricedScene>& scenes);
-/// How many times finer, and dearer, than the base method:
+/// Against the base method at the same error: the ratio of the spacings (finer) and of the CPU times
+/// (dearer):
 /// scene,method,base,error_percent,base_spacing_mm,finer,dearer,extrapolated,dearer_if_ten_times_finer.
 std::string finer_csv(const std::vector<PricedScene>& scenes);
 /// One row for each ladder: scene,method,order,heads_for_percent,error_over_cpu,cpu_over_dof,

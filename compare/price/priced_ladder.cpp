@@ -119,9 +119,10 @@ std::optional<double> PricedLadder::sound_order(std::string* why) const {
   const bool elsewhere = heading_ && std::abs(*heading_) > 0.5 * std::abs(rungs_.back().error);
   if (why)
     *why = !p && !elsewhere ? reason
-           : heading_ ? fmt::format("the finest three spacings head for an error of {:+.2g} %, not for zero",
-                                    *heading_)
-                      : "the finest three spacings do not approach a limit";
+           : heading_
+               ? fmt::format(
+                     "the finest three spacings extrapolate to an error of {:+.2g} %, not to zero", *heading_)
+               : "the finest three spacings do not approach a limit";
   return {};
 }
 

@@ -67,7 +67,7 @@ void one_ladder_limit(const Study& study, const QuantitySpec& quantity, const st
     const std::string why =
         !infinite.empty() ? infinite
         : limit           ? fmt::format(
-                                "the finest spacings of {} head for {} with order {:.2f}, which is not that of "
+                                "the finest spacings of {} extrapolate to {} with order {:.2f}, which is not that of "
                                           "convergence ({:g} to {:g})",
                                 label, rounded(limit->limit, 5), limit->order, least_order, greatest_order)
                 : fmt::format(

@@ -62,7 +62,8 @@ KeyTable price_keys() {
        {"errors", key_holds::numbers, "Percents above 0. [10, 5, 1, 0.1] unless given."},
        {"spacing", key_holds::quantity(dimension::length), "All methods are also compared at this spacing."},
        {"base", "a text: the name of a method in tables",
-        "The others are compared with it: how many times finer and dearer they are for the same error."}}};
+        "The others are compared with it: how many times finer they must be for the same error, and how many "
+        "times as much CPU time that costs."}}};
 }
 
 KeyTable advice_keys() {
