@@ -132,9 +132,9 @@ std::string no_value_at(const QuantitySpec& quantity, const Scene& scene, bool c
                    [&](const Probe& p) { return p.name == observed.probe; }) &&
       std::none_of(scene.sections.begin(), scene.sections.end(),
                    [&](const Section& s) { return s.name == observed.section; }))
-    return "";  // said where it is read
+    return "";  // reported where it is read
   const ReadAt read = read_at(observed, scene);
-  Scene there = scene;  // with this reading alone
+  Scene there = scene;  // with this probe alone
   there.sections.clear();
   there.probes = {{observed.probe + observed.section, read.body, read.quantity, place_of(quantity, scene)}};
   for (const SingularPlace& place : singular_places(there))

@@ -1,5 +1,5 @@
 #pragma once
-// The price of accuracy as tables: price.csv, the data of its figures, and Markdown for people.
+// The price of accuracy as tables: price.csv, the data of its figures, and Markdown.
 
 #include "compare/price/priced_scene.hpp"
 
@@ -22,7 +22,7 @@ std::string ladders_csv(const std::vector<PricedScene>& scenes);
 std::string rungs_csv(const PricedScene& scene);
 /// The Pareto front of the rungs by credited error and CPU time: method,cpu_s,error_percent, dearest last.
 std::string front_csv(const PricedScene& scene);
-/// All of it for people.
+/// All tables in Markdown.
 std::string price_markdown(const std::vector<PricedScene>& scenes);
 
 }  // namespace femsph::compare

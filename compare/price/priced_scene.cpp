@@ -67,7 +67,7 @@ std::vector<PricedScene> priced_scenes(const Study& study, const std::vector<Row
     std::vector<std::string> methods;
     for (const Row* row : priced) {
       if (row->value)
-        scene.nothing = row->limit_doubt.empty() ? "there is nothing to err from" : row->limit_doubt;
+        scene.nothing = row->limit_doubt.empty() ? "there is no reference for an error" : row->limit_doubt;
       if (row->method != reference && std::find(methods.begin(), methods.end(), row->method) == methods.end())
         methods.push_back(row->method);
     }

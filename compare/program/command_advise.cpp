@@ -1,4 +1,4 @@
-// `femsph advise`: makes a question of the command line, and prints the advice.
+// `femsph advise`: reads the question from the command line, and prints the advice.
 
 #include <fmt/format.h>
 
@@ -40,8 +40,8 @@ double percent_of(const std::string& text) {
   const bool percent = end > 0 && text.substr(end) == "%";
   const double result = percent ? value : 100 * value;
   if (end == 0 || !(percent || end == text.size()) || !(result > 0 && result < 100))
-    throw BadCommand(
-        fmt::format("--error {}: expected a part between 0 and 1, or percent: 0.01 or 1%", in_quotes(text)));
+    throw BadCommand(fmt::format(
+        "--error {}: expected a fraction between 0 and 1, or a percentage: 0.01 or 1%", in_quotes(text)));
   return result;
 }
 
@@ -61,7 +61,7 @@ Reduce reduce_of(const Scene& scene, const std::string& word) {
   return value_named<BadCommand>(known, word, fmt::format("--reduce: {} is unknown", in_quotes(word)));
 }
 
-/// The component with the largest value in a coarse run, by the first method that can make one.
+/// The component with the largest magnitude in a coarse run, by the first method that can make such a run.
 std::string largest_component(const Scene& scene, const Probe& probe,
                               const std::vector<std::string>& components, const Question& question) {
   double shortest = 1e300;
@@ -108,7 +108,7 @@ Question question_of(const AdviseCommand& c, const Scene& scene) {
   } catch (const std::runtime_error& e) {
     throw BadCommand(std::string("--methods: ") + e.what());
   }
-  for (std::size_t i = 0; i < q.methods.size(); ++i)  // a method that is given twice would agree with itself
+  for (std::size_t i = 0; i < q.methods.size(); ++i)  // a method given twice would agree with itself
     for (std::size_t j = 0; j < i; ++j)
       if (q.methods[i].name == q.methods[j].name)
         throw BadCommand(fmt::format("--methods: {} is given twice", q.methods[i].name));

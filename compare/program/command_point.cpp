@@ -1,3 +1,5 @@
+// `femsph point`: the stress of one material point along a path of strains, without a discretization.
+
 #include <fmt/format.h>
 
 #include "compare/program/commands.hpp"

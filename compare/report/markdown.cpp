@@ -1,4 +1,4 @@
-// The table for people.
+// The tables of a study in Markdown.
 
 #include <fmt/format.h>
 

@@ -133,7 +133,7 @@ std::string doubt_of(const QuantitySpec& quantity, const Scene& scene, const Kno
                             : rounded(one.change, 2);
   };
   return fmt::format(
-      "its refinements change it by {}, then by {}, which does not fall as it would on the way to a limit",
+      "refinement changes it by {}, then by {}: the changes do not decrease as they do towards a limit",
       percent(*first), percent(*second));
 }
 

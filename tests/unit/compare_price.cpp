@@ -77,7 +77,7 @@ TEST(PricedLadder, AChangeOfSignAtTheFinestSpacingIsNoConvergence) {
 // An error of 6 d - 2 percent: it passes through zero and tends to -2.
 TEST(PricedLadder, AnErrorThatPassesThroughZeroCountsByItsLimit) {
   const PricedLadder l = ladder({{2, 10}, {1, 4}, {0.5, 1}});
-  EXPECT_NEAR(*l.heading(), -2, 1e-9);
+  EXPECT_NEAR(*l.error_at_zero(), -2, 1e-9);
   EXPECT_NEAR(l.credited().back(), 2, 1e-9);
   EXPECT_EQ(l.cost_of(1.5).basis, Basis::not_reached);
   EXPECT_THAT(l.cost_of(1.5).reason, HasSubstr("extrapolate to an error of -2 %"));

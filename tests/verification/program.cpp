@@ -55,7 +55,7 @@ TEST(Program, MissingSceneAndWrongOptionsAreExplained) {
   EXPECT_THAT(femsph("run " + scene + " --solver fem-ful --spacing '10 mm' --out x").text,
               HasSubstr("did you mean \"fem-full\"?"));
   EXPECT_THAT(femsph("run " + scene + " --solver fem --spacing '10 N' --out x").text, HasSubstr("a length"));
-  EXPECT_THAT(femsph("run " + scene + " --solver fem --out x").text, HasSubstr("how fine?"));
+  EXPECT_THAT(femsph("run " + scene + " --solver fem --out x").text, HasSubstr("no resolution is given"));
   EXPECT_THAT(femsph("run " + scene + " --solver fem --spacing '10 mm' --smoothing 1.2 --out x").text,
               HasSubstr("an option of SPH"));
   EXPECT_EQ(femsph("").code, 2);
@@ -99,7 +99,7 @@ TEST(Program, AdviceIsAskedForWithOneOfTwoOptions) {
 TEST(Program, AnUnwritableFolderIsOneMessage) {
   const Outcome o = femsph("run " + scene + " --solver fem --spacing '20 mm' --out " + scene + "/inside");
   EXPECT_EQ(o.code, 4);
-  EXPECT_THAT(o.text, HasSubstr("cannot make the folder"));
+  EXPECT_THAT(o.text, HasSubstr("cannot create the folder"));
 }
 
 }  // namespace

@@ -1,4 +1,4 @@
-// [[paper]] and [[claims]] of a study: numbers that the paper reports, and sentences of the paper to check.
+// [[paper]] and [[claims]] of a study: numbers that the paper reports, and statements of the paper to check.
 
 #include <fmt/format.h>
 
@@ -201,7 +201,7 @@ KeyTable claim_keys() {
   const std::string of_ratio = "with kind \"ratio\" or \"finer\"", of_order = "with kind \"order\"";
   return {
       "[[claims]]",
-      "A sentence of the paper that the rows of the table confirm or not.",
+      "A statement of the paper that is checked with the rows of the table.",
       {{"id", key_holds::text, "A short name.", true},
        {"source", key_holds::text, "Where the paper says it, such as \"fig 5\".", true},
        {"text", key_holds::text, "The claim in words.", true},

@@ -65,7 +65,7 @@ std::optional<Found> find_observer(Fields& fields, const char* key, const std::s
     const auto quantity = section ? observer(read.sections, name) : observer(read.probes, name);
     if (quantity && found && found->quantity != *quantity) {
       fields.fault(key, fmt::format("the {} {} reads one quantity in {} and another in other scenes; "
-                                    "expected \"scene\", which says whose it is",
+                                    "expected \"scene\", which selects one",
                                     key, in_quotes(name), file));
       return {};
     }

@@ -39,7 +39,7 @@ void check_window(Fields& fields, const QuantitySpec& quantity, const Study& stu
       fields.fault(
           "window",
           fmt::format(
-              "\"window\" goes on to {:.6g} ms, and {} to {:.6g} ms; expected a window within the run",
+              "\"window\" ends at {:.6g} ms, and the run of {} at {:.6g} ms; expected a window within the run",
               1e3 * (*quantity.window)[1], file, 1e3 * scene.duration));
 }
 

@@ -129,7 +129,7 @@ std::vector<std::optional<double>> read_smoothing_lengths(Fields& fields, const 
                                                           const Overrides& overrides) {
   const char* const key = "smoothing_lengths";
   if (fields.has("supports")) {
-    fields.accept("supports");  // one message: not that it is unknown as well
+    fields.accept("supports");  // no second message that the key is unknown
     fields.fault("supports", "\"supports\" is the old name of \"smoothing_lengths\"; expected the new name");
     return {std::nullopt};
   }
@@ -152,8 +152,8 @@ std::string smoothing_label(const std::optional<double>& smoothing) {
   return smoothing ? fmt::format(" h={:g}d", *smoothing) : "";
 }
 
-/// FEM of bodies with their own cells (mesh files) has one resolution, whatever the spacing: several would
-/// repeat the same run.
+/// FEM of bodies whose shapes are made of cells (mesh files) has one resolution, whatever the spacing:
+/// several would repeat the same run.
 void refuse_same_cells(Fields& fields, const Scene* scene, const std::vector<Method>& chosen,
                        std::size_t resolutions) {
   if (!scene || resolutions < 2 ||
@@ -162,9 +162,10 @@ void refuse_same_cells(Fields& fields, const Scene* scene, const std::vector<Met
     return;
   for (const Method& method : chosen)
     if (method.is_fem())
-      fields.fault(fields.has("spacing") ? "spacing" : "divisions",
-                   fmt::format("{} resolutions for {}, but every body brings its own cells; expected one",
-                               resolutions, method.name));
+      fields.fault(
+          fields.has("spacing") ? "spacing" : "divisions",
+          fmt::format("{} resolutions for {}, but the cells of every body come from its shape; expected one",
+                      resolutions, method.name));
 }
 
 void one_block(Fields& fields, StudyReading& reading, int ladder) {
