@@ -176,12 +176,12 @@ RunResult run_scene(const Scene& scene, const Method& method, const Resolution& 
   const double ready = wall_seconds();
   March march(scene, std::move(bodies), options.march);
   march.price().add("setup", ready - start);
-  std::size_t said = 0;
-  const auto say_warnings = [&](const std::vector<std::string>& warnings) {
-    for (; said < warnings.size(); ++said)
-      if (options.warn) options.warn(warnings[said]);
+  std::size_t reported = 0;
+  const auto report_warnings = [&](const std::vector<std::string>& warnings) {
+    for (; reported < warnings.size(); ++reported)
+      if (options.warn) options.warn(warnings[reported]);
   };
-  say_warnings(march.warnings());
+  report_warnings(march.warnings());
   Recorder recorder(march);
   std::unique_ptr<RunOutput> output;
   if (options.folder) output = std::make_unique<RunOutput>(method, options, march, recorder, start_cpu);
@@ -214,7 +214,7 @@ RunResult run_scene(const Scene& scene, const Method& method, const Resolution& 
     if (output) output->try_to_finish(error.what());
     throw;
   }
-  say_warnings(warnings_of(march, recorder));
+  report_warnings(warnings_of(march, recorder));
   if (output) output->finish(outcome_of(march), true);
 
   RunResult r = result_of(march, recorder, conservation);

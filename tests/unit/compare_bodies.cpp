@@ -150,7 +150,7 @@ TEST(Sweep, WindowsAndDurationsThatTheHistoryDoesNotHold) {
   EXPECT_THAT(message_of([&] {
                 reduce(q, history({0, 0.2, 0.5, 1}, {1, 1, 1, 1}), scene, nullptr);
               }),
-              HasSubstr("the history ends at 1000 ms, within the window that goes on to 5000 ms"));
+              HasSubstr("the history ends at 1000 ms, before the end of the window at 5000 ms"));
   EXPECT_THAT(message_of([&] {
                 reduce(of_column("x", Reduce::duration), history({0, 1, 2}, {0, 1, 1}), scene, nullptr);
               }),

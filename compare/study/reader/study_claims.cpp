@@ -142,8 +142,7 @@ void read_kind(Fields& fields, Claim& claim, const Planned& planned) {
     case Kind::order:
       claim.low = fields.number("low", Need::required).value_or(0);
       claim.high = fields.number("high", Need::required).value_or(0);
-      if (claim.low > claim.high)
-        fields.fault("low", "\"low\" is above \"high\", so that no number lies between; expected it below");
+      if (claim.low > claim.high) fields.fault("low", "\"low\" is above \"high\"; expected it below");
       break;
     case Kind::larger:
     case Kind::smaller:
@@ -155,7 +154,7 @@ void one_claim(Fields& fields, StudyReading& reading, const Planned& planned) {
   Claim claim;
   claim.id = fields.text("id", Need::required, "a short name").value_or("");
   claim.source =
-      fields.text("source", Need::required, "where the paper says it, such as \"fig 5\"").value_or("");
+      fields.text("source", Need::required, "the place in the paper, such as \"fig 5\"").value_or("");
   claim.text = fields.text("text", Need::required, "the claim in words").value_or("");
   claim.note = fields.text("note", Need::optional).value_or("");
   claim.reference = fields.choice("reference", Need::optional, claim_references).value_or(Reference::theory);
@@ -192,7 +191,7 @@ KeyTable paper_keys() {
            {"value", "a text: a number with the unit of the quantity, such as \"4.765 mm\"",
             "The paper's value. This, \"error_percent\" or both."},
            {"error_percent", key_holds::number, "The error that the paper states."},
-           {"source", key_holds::text, "Where the paper says it, such as \"fig 14\".", true}})
+           {"source", key_holds::text, "The place in the paper, such as \"fig 14\".", true}})
     table.keys.push_back(key);
   return table;
 }
@@ -203,19 +202,16 @@ KeyTable claim_keys() {
       "[[claims]]",
       "A statement of the paper that is checked with the rows of the table.",
       {{"id", key_holds::text, "A short name.", true},
-       {"source", key_holds::text, "Where the paper says it, such as \"fig 5\".", true},
+       {"source", key_holds::text, "The place in the paper, such as \"fig 5\".", true},
        {"text", key_holds::text, "The claim in words.", true},
        {"note", key_holds::text, "Shown if the claim does not hold."},
        {"reference", key_holds::words(claim_references),
         "What the errors are measured against. \"theory\" unless given."},
        {"kind", key_holds::words(claim_kinds),
         "How it is checked. \"value\": error or value is the paper's, within \"tolerance\"; \"below\", "
-        "\"above\": a "
-        "bound on the error; \"ratio\": of the errors of two rows; \"order\": the observed order of "
-        "convergence; "
-        "\"finer\": how many times finer the rows must be for the error of another; \"larger\", \"smaller\": "
-        "than the "
-        "reference.",
+        "\"above\": a bound on the error; \"ratio\": the ratio of the errors of two rows; \"order\": the "
+        "observed order of convergence; \"finer\": how many times finer the rows must be for the error of "
+        "another row; \"larger\", \"smaller\": than the reference.",
         true},
        {"field", key_holds::words(claim_fields),
         "With \"value\": what is compared with \"paper\". \"error\" unless given."},
@@ -256,7 +252,7 @@ void read_paper(Fields& root, StudyReading& reading) {
     number.value = read_paper_value(fields, number.rows.quantity, reading.study);
     number.error_percent = fields.number("error_percent", Need::optional);
     number.source =
-        fields.text("source", Need::required, "where the paper says it, such as \"fig 14\"").value_or("");
+        fields.text("source", Need::required, "the place in the paper, such as \"fig 14\"").value_or("");
     if (!fields.has("value") && !fields.has("error_percent") && !fields.misspelt({"value", "error_percent"}))
       fields.fault("value", "expected \"value\", \"error_percent\" or both in [[paper]]");
     fields.done();

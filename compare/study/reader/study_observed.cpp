@@ -89,17 +89,17 @@ std::optional<Found> find_observer(Fields& fields, const char* key, const std::s
 }  // namespace
 
 std::vector<Key> observed_keys() {
-  return {
-      {"probe", "a text: a probe of the scene",
-       "One of \"probe\", \"section\", \"energy\", \"scalar\" and \"column\" says what is read."},
-      {"section", "a text: a section of the scene", "Its profile at the last sample."},
-      {"energy", "a text: " + one_of(energy_columns()), "A column of energy of the history."},
-      {"scalar", "a text: " + one_of(scalar_names()), "One number of the whole run."},
-      {"column", "a text: a column of the history, such as \"contact_blow_force_x\"",
-       "Any other column of the history."},
-      {"component", "a text: x, xx, 1 or the like",
-       "Of what the probe or section reads. Not needed where there is one component only."},
-      {"unit", "a text: a unit of the same kind, such as \"mm\"", "In tables. The SI unit unless given."}};
+  return {{"probe", "a text: a probe of the scene",
+           "One of \"probe\", \"section\", \"energy\", \"scalar\" and \"column\" says what is read."},
+          {"section", "a text: a section of the scene", "Its profile at the last sample."},
+          {"energy", "a text: " + one_of(energy_columns()), "A column of energy of the history."},
+          {"scalar", "a text: " + one_of(scalar_names()), "One number of the whole run."},
+          {"column", "a text: a column of the history, such as \"contact_blow_force_x\"",
+           "Any other column of the history."},
+          {"component", "a text: x, xx, 1 or the like",
+           "A component of what the probe or section reads. Not needed if there is only one."},
+          {"unit", "a text: a unit of the same kind, such as \"mm\"",
+           "The unit in tables. The SI unit unless given."}};
 }
 
 std::vector<Key> joined(std::vector<Key> all, const std::vector<Key>& more) {
@@ -107,7 +107,9 @@ std::vector<Key> joined(std::vector<Key> all, const std::vector<Key>& more) {
   return all;
 }
 
-Key theory_key() { return {"theory", "a text: a theory value", "To compare with: see `femsph list`."}; }
+Key theory_key() {
+  return {"theory", "a text: a theory value", "A theory value to compare with: see `femsph list`."};
+}
 Key scene_key(const char* about) { return {"scene", "a text: the file of a scene that a run uses", about}; }
 
 Unit read_unit(Fields& fields, const char* key, const std::optional<std::string>& name,

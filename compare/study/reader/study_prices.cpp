@@ -22,13 +22,13 @@ std::string read_name(Fields& fields, const Study& study) {
     fields.fault("name", fmt::format("\"name\" is {}; expected {}", in_quotes(name), expected));
   if (std::any_of(
           study.prices.begin(), study.prices.end(), [&](const PriceSpec& p) { return p.name == name; }))
-    fields.fault("name", fmt::format("two prices are called {}; expected a name for each", in_quotes(name)));
+    fields.fault("name", fmt::format("two prices are called {}; expected different names", in_quotes(name)));
   return name;
 }
 
 Key quantity_key() {
-  return {"quantity", "a text: a quantity of this study, of one scene", "The quantity whose error is meant.",
-          true};
+  return {
+      "quantity", "a text: a quantity of this study, of one scene", "The quantity whose error counts.", true};
 }
 
 /// The quantity that the key "quantity" names, or null after a fault.
@@ -54,7 +54,7 @@ KeyTable price_keys() {
   return {
       "[[price]]",
       "The CPU time that accuracy costs by each method; studies/cost/README.md states the rules.",
-      {{"name", key_holds::text, "In price.csv and in file names: letters, digits, _ and -.", true},
+      {{"name", key_holds::text, "The name in price.csv and in file names: letters, digits, _ and -.", true},
        {"title", key_holds::text, "Heading in the README. The name unless given."},
        quantity_key(),
        {"reference", key_holds::words(price_references),
@@ -69,7 +69,7 @@ KeyTable price_keys() {
 KeyTable advice_keys() {
   return {
       "[[advice]]",
-      "Asks `femsph advise`, makes the run that it advises and compares (not in the quick form).",
+      "Asks `femsph advise`, makes the advised run, and compares it with the prediction (not with --quick).",
       {quantity_key(),
        {"error", key_holds::number, "Percent. Either this or \"within\"."},
        {"within", key_holds::quantity(dimension::time), "The least error in this CPU time."},
@@ -129,7 +129,7 @@ void one_advice(Fields& fields, StudyReading& reading) {
                     in_quotes(advice.quantity)));
   else if (quantity && quantity->scene)
     advice.scene = *quantity->scene;
-  else if (quantity && !study.scenes.empty())  // empty: that none could be read is said where it is named
+  else if (quantity && !study.scenes.empty())  // empty: reported where the scene is named
     advice.scene = study.scenes.begin()->first;
   reading.study.advice.push_back(advice);
 }

@@ -16,11 +16,10 @@ KeyTable run_keys() {
   return {
       "[[runs]]",
       "Runs every method at every resolution. The runs of one table form one ladder, whose order of "
-      "convergence is in "
-      "orders.csv.",
+      "convergence is in orders.csv.",
       {{"methods", key_holds::texts, "Names of methods: see `femsph list`.", true},
        {"spacing", key_holds::quantities(dimension::length),
-        "Particle spacings, or edges of cells. Either this or \"divisions\"."},
+        "Particle spacings, or edge lengths of cells. Either this or \"divisions\"."},
        {"divisions", key_holds::texts, "Cells along the axes, such as [\"20x2\", \"40x4\"]."},
        {"cases", key_holds::texts, "A name for each resolution. \"20x2\" or \"d=20mm\" unless given."},
        {"quick", key_holds::texts, "Which of these cases --quick runs. None unless given."},
@@ -28,8 +27,9 @@ KeyTable run_keys() {
        {"smoothing_lengths", key_holds::numbers,
         "SPH with each of these smoothing lengths, h over the spacing; each counts as a method."},
        {"safety", key_holds::number,
-        "The step over the critical step, up to 2 (above 1 only to show the instability). 0.9 unless given."},
-       {"step", key_holds::quantity(dimension::time), "A fixed step, instead of \"safety\"."},
+        "The time step over the critical step, up to 2 (above 1 only to show the instability). 0.9 unless "
+        "given."},
+       {"step", key_holds::quantity(dimension::time), "A fixed time step, instead of \"safety\"."},
        {"label", key_holds::text,
         "A name for the method in tables; only with one method. Its name and options unless given."}}};
 }
@@ -38,10 +38,9 @@ KeyTable limit_keys() {
   return {
       "[limit]",
       "The converged static solution of the elastic body, by FEM of high degree, to compare with. It holds "
-      "for "
-      "every scene that [[limits]] does not name.",
+      "for every scene that [[limits]] does not name.",
       {{"divisions", "a text: cells along the axes, such as \"100x10\"", "The mesh of the solution.", true},
-       {"degree", key_holds::count, "Of the shape functions, 1 to 8. 4 unless given."}}};
+       {"degree", key_holds::count, "The degree of the shape functions, 1 to 8. 4 unless given."}}};
 }
 
 KeyTable scene_limit_keys() {
@@ -51,7 +50,7 @@ KeyTable scene_limit_keys() {
           {{"scene", "a text: the file of a scene that a run uses", "The scene that it holds for.", true},
            {"divisions", "a text: cells along the axes, such as \"100x10\"", "The mesh of the solution.",
             false, "unless \"ladder\" is given"},
-           {"degree", key_holds::count, "Of the shape functions, 1 to 8. 4 unless given."},
+           {"degree", key_holds::count, "The degree of the shape functions, 1 to 8. 4 unless given."},
            {"ladder", "a text: the name of a method in tables",
             "The method whose three or more spacings are extrapolated.", false,
             "unless \"divisions\" is given"}}};
@@ -137,7 +136,7 @@ std::vector<std::optional<double>> read_smoothing_lengths(Fields& fields, const 
   const OptionRange& range = *method_option("smoothing").range;
   if (!given) return {std::nullopt};
   if (given->empty() || std::any_of(given->begin(), given->end(), [&](double h) { return !range.holds(h); }))
-    fields.fault(key, fmt::format("\"smoothing_lengths\" holds something else than {}; expected smoothing "
+    fields.fault(key, fmt::format("\"smoothing_lengths\" holds a value that is not {}; expected smoothing "
                                   "lengths over the spacing, such as [1.0, 1.2, 1.4]",
                                   range.describe()));
   if (overrides.has("smoothing") || fields.has("label"))

@@ -71,26 +71,28 @@ void one_series(Fields& fields, StudyReading& reading) {
 }  // namespace
 
 KeyTable series_keys() {
-  return {"[[series]]", "A file under data/ for figures.",
-          joined({{"file", key_holds::text, "The name of the file, ending in .csv.", true},
-                  {"kind", key_holds::words(series_kinds),
-                   "The error of a quantity over the spacing, or over the cases; a history; the profile of a "
-                   "section; or a path: one history over another.",
-                   true},
-                  {"cases", key_holds::texts, "Only of these cases."},
-                  {"methods", key_holds::texts, "Only of these labels (names of methods in tables)."},
-                  {"quantity", "a text: a quantity of this study", "The quantity whose error is written.",
-                   false, "with kind \"error\" or \"cases\""},
-                  {"reference", key_holds::words(series_references),
-                   "What the errors are measured against. \"theory\" unless given."},
-                  scene_key("The scene whose theory is written. That of the first run unless given."),
-                  theory_key(),
-                  {"time_unit", "a text: a unit of time", "Of a history. \"ms\" unless given."}},
-                 observed_keys())};
+  return {
+      "[[series]]", "A file under data/ for figures.",
+      joined({{"file", key_holds::text, "The name of the file, ending in .csv.", true},
+              {"kind", key_holds::words(series_kinds),
+               "The error of a quantity over the spacing, or over the cases; a history; the profile of a "
+               "section; or a path: one history over another.",
+               true},
+              {"cases", key_holds::texts, "Only of these cases."},
+              {"methods", key_holds::texts, "Only of these labels (names of methods in tables)."},
+              {"quantity", "a text: a quantity of this study", "The quantity whose error is written.", false,
+               "with kind \"error\" or \"cases\""},
+              {"reference", key_holds::words(series_references),
+               "What the errors are measured against. \"theory\" unless given."},
+              scene_key("The scene whose theory is written. That of the first run unless given."),
+              theory_key(),
+              {"time_unit", "a text: a unit of time", "The unit of time of a history. \"ms\" unless given."}},
+             observed_keys())};
 }
 
 KeyTable series_along_keys() {
-  return {"[series.along]", "With kind \"path\", as an inline table: what the abscissa is.", observed_keys()};
+  return {"[series.along]", "With kind \"path\", as an inline table: what is read for the abscissa.",
+          observed_keys()};
 }
 
 void read_series(Fields& root, StudyReading& reading) {
