@@ -20,12 +20,6 @@ const std::vector<Theory>& theories() {
   return list;
 }
 
-std::vector<std::string> theory_names() {
-  std::vector<std::string> names;
-  for (const Theory& theory : theories()) names.push_back(theory.name);
-  return names;
-}
-
 const Theory& theory_named(const std::string& name) {
   return entry_named<std::runtime_error>(
       theories(), name, &Theory::name, "no theory is called " + in_quotes(name));

@@ -12,7 +12,6 @@ namespace femsph::compare {
 
 /// All, in the order of `femsph list`.
 const std::vector<Theory>& theories();
-std::vector<std::string> theory_names();
 /// Throws std::runtime_error with "did you mean".
 const Theory& theory_named(const std::string& name);
 

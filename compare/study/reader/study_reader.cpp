@@ -116,7 +116,7 @@ std::optional<std::string> read_scene_name(Fields& fields, Need need, const Stud
   if (!name || scenes.contains(*name)) return name;
   std::vector<std::string> known;
   for (const auto& [file, scene] : scenes) known.push_back(file);
-  if (!reading.bad_scenes.contains(*name) && !known.empty())
+  if (!reading.bad_scenes.contains(*name) && (reading.runs_known || !known.empty()))
     fields.fault(
         "scene", fmt::format("no run uses the scene {}{}", in_quotes(*name), expected_names(*name, known)));
   return {};

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <sstream>
 
+#include "model/input/lookup.hpp"
 #include "model/scene/place_extent.hpp"
 #include "model/scene/tables/reading.hpp"
 
@@ -81,8 +82,8 @@ std::optional<std::vector<std::string>> read_sides(const Fields& fields, const s
     if (const auto why = why_unusable(shape, word)) return fields.fault("at", *why), std::nullopt;
     const std::optional<std::string> side = word == whole_body ? word : side_named(shape, word);
     if (!side)
-      return fields.fault("at", fmt::format("unknown side {}; expected {}{}", in_quotes(word), one_of(known),
-                                            did_you_mean(word, known))),
+      return fields.fault(
+                 "at", fmt::format("unknown side {}{}", in_quotes(word), expected_names(word, known))),
              std::nullopt;
     if (std::find(sides.begin(), sides.end(), *side) != sides.end())
       return fields.fault(
