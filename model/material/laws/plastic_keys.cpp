@@ -160,18 +160,17 @@ Plasticity Plastic::read(Fields& fields, const LawInput& in) {
   } else {
     p.hardening = read_hardening(fields, in.constants.young);
   }
-  p.tension = fields
-                  .choice<TensionRule>("tension", Need::optional,
-                                       {{"none", TensionRule::none},
-                                        {"sign", TensionRule::sign},
-                                        {"principal", TensionRule::principal}})
-                  .value_or(TensionRule::none);
+  const auto tension = fields.choice<TensionRule>(
+      "tension", Need::optional,
+      {{"none", TensionRule::none}, {"sign", TensionRule::sign}, {"principal", TensionRule::principal}});
+  const bool tension_faulty = fields.misspelt({"tension"}) || (fields.has("tension") && !tension);
+  p.tension = tension.value_or(TensionRule::none);
   const bool limited = p.tension != TensionRule::none;
   p.tensile_strength = fields
                            .quantity("tensile_strength", limited ? Need::required : Need::optional,
                                      dimension::pressure, Sign::positive)
                            .value_or(0);
-  if (!limited && fields.has("tensile_strength") && !fields.misspelt({"tension"}))
+  if (!limited && fields.has("tensile_strength") && !tension_faulty)
     fields.fault(
         "tensile_strength",
         "\"tensile_strength\" without a tension rule; expected tension = \"sign\" or \"principal\" with it");
