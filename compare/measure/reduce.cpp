@@ -19,7 +19,7 @@ double signed_as(double value, SignRule rule) {
   return rule == SignRule::as_is ? value : rule == SignRule::reversed ? -value : std::abs(value);
 }
 
-/// The point at which theory is asked for a value.
+/// The point at which the theory value is evaluated, m.
 Point place_of(const QuantitySpec& quantity, const Scene& scene) {
   const Observed& observed = quantity.observed;
   if (!observed.section.empty() && quantity.reduce == Reduce::moment)

@@ -44,8 +44,8 @@ struct Ladders {
     return PricedLadder(m.rungs, scene.dim()).cpu_at(advice.shortest / divisions);
   }
 
-  /// Whether an error is asked for and the limit is known to a fifth of it: the finest run is then good
-  /// enough.
+  /// Whether an error is asked for and the limit is known to a fifth of it. The error of the finest run is
+  /// then smaller than the one asked for.
   bool knows_enough(const MethodEvidence& m) const {
     if (!question.error || m.rungs.size() < 4) return false;
     Ladder values;

@@ -109,7 +109,7 @@ int run_program(int argc, char** argv) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  std::signal(SIGXFSZ, SIG_IGN);  // a file over the limit is an error of writing, like a full disk
+  std::signal(SIGXFSZ, SIG_IGN);  // a file beyond the size limit is then a write error, like a full disk
   try {
     return run_program(argc, argv);
   } catch (const InputError& error) {

@@ -18,9 +18,9 @@ const LimitSpec* spec_of(const Study& study, const std::string& scene) {
   return study.limit ? &*study.limit : nullptr;
 }
 
-/// Divisions and degree of the coarser forms of a limit, coarse first: a quarter and half of the cells along
-/// every axis that has four or more; without such an axis two degrees less and one. Empty: there is nothing
-/// coarser.
+/// Divisions and degree of two coarser solutions than the limit, coarsest first: a quarter and half of the
+/// cells along every axis that has four or more; without such an axis, the degree less two and less one.
+/// Empty if there is no coarser solution.
 struct Coarser {
   std::array<int, 3> divisions;
   int degree;

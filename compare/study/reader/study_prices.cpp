@@ -1,5 +1,4 @@
-// [[price]] and [[advice]] of a study: the CPU time that accuracy costs, and whether `femsph advise` is
-// right.
+// [[price]] and [[advice]] of a study: the CPU time that accuracy costs, and the check of `femsph advise`.
 
 #include <fmt/format.h>
 

@@ -1,4 +1,4 @@
-// [[runs]] and [limit] of a study: what to run, and how fine.
+// [[runs]] and [limit] of a study: the runs with their resolutions, and what they should converge to.
 
 #include <fmt/format.h>
 
