@@ -55,14 +55,15 @@ gradient = [[0, 0], [0, 1e-3]]
 const std::string plastic =
     model("strain", large_motion) + plastic_steel("tension = \"sign\"\ntensile_strength = \"10 MPa\"\n") +
     material("metal", "plastic", "210 GPa", "0.3", "7850 kg/m^3", "yield = \"300 MPa\"\n") +
-    R"([materials.metal.johnson_cook]
+    R"toml([materials.metal.johnson_cook]
 B = "400 MPa"
 n = 0.3
 melting = "1800 K"
 m = 1.0
 room = "300 K"
 heat_capacity = "450 J/(kg K)"
-)" + box("block", "40 40 mm", thick("1 mm")) +
+)toml" +
+    box("block", "40 40 mm", thick("1 mm")) +
     "[bodies.ram]\nshape = \"disc\"\ncentre = [\"20 mm\", \"50 mm\"]\nradius = \"9 mm\"\nrigid = true\n"
     "density = \"7850 kg/m^3\"\nthickness = \"1 mm\"\n" +
     R"([[supports]]

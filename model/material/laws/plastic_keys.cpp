@@ -158,6 +158,7 @@ Plasticity Plastic::read(Fields& fields, const LawInput& in) {
     fields.quantity("hardening", Need::optional, dimension::pressure);
     fields.number("tangent_ratio", Need::optional);
   } else {
+    fields.accept("johnson_cook");  // for "did you mean"
     p.hardening = read_hardening(fields, in.constants.young);
   }
   const auto tension = fields.choice<TensionRule>(
