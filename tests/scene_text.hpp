@@ -9,6 +9,7 @@
 #include <sstream>
 #include <stdexcept>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace femsph::scene_text {
@@ -36,6 +37,20 @@ inline std::string replaced(std::string text, const std::string& old, const std:
   const auto at = text.find(old);
   if (at == std::string::npos) throw std::logic_error("no such text: " + old);
   return text.replace(at, old.size(), instead);
+}
+
+/// `text` once for each line that starts with a key, with the first letter of this key doubled. The first of
+/// a pair is the key.
+inline std::vector<std::pair<std::string, std::string>> with_a_key_misspelt(const std::string& text) {
+  std::vector<std::pair<std::string, std::string>> all;
+  for (std::size_t line = 0; line < text.size(); line = text.find('\n', line) + 1) {
+    std::size_t end = line;
+    while (std::isalnum(static_cast<unsigned char>(text[end])) || text[end] == '_') ++end;
+    if (end > line && text.substr(end, 3) == " = ")
+      all.emplace_back(text.substr(line, end - line), text.substr(0, line) + text[line] + text.substr(line));
+    if (text.find('\n', line) == std::string::npos) break;
+  }
+  return all;
 }
 
 inline std::string model(const std::string& plane, const std::string& more = "") {

@@ -61,7 +61,7 @@ Curve within(const Curve& curve, const std::optional<std::array<double, 2>>& win
   if (curve.at.size() > 1 &&
       curve.at.back() + 1.5 * (curve.at.back() - curve.at[curve.at.size() - 2]) < (*window)[1])
     throw std::runtime_error(fmt::format(
-        "the history ends at {:.6g} ms, within the window that goes on to {:.6g} ms", 1e3 * curve.at.back(),
+        "the history ends at {:.6g} ms, before the end of the window at {:.6g} ms", 1e3 * curve.at.back(),
         1e3 * (*window)[1]));
   return part;
 }

@@ -24,9 +24,8 @@ std::vector<double> resample(std::span<const double> x, std::span<const double> 
 
 /// Frequency (Hz, if time is in s) of the slowest strong oscillation of a history: one over the mean time
 /// between crossings of the middle level in the same direction. A crossing counts once the history has left a
-/// band of a tenth of the range on either side, so small ripples do not count; the band's level cancels out,
-/// so whole periods are not needed. Nothing if the history never
-/// swings back, or by less than 1e-9 of its magnitude.
+/// band of a tenth of the range on either side, so that small ripples do not count. Nothing if the history
+/// does not oscillate, or by less than 1e-9 of its magnitude.
 std::optional<double> dominant_frequency(std::span<const double> time, std::span<const double> value);
 
 /// percent_l2 of a history from the table, over the times that both have. Throws std::runtime_error if there

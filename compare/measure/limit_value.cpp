@@ -13,7 +13,7 @@
 namespace femsph::compare {
 namespace {
 
-/// Index of a component in the values of the static limit, which are those of space.
+/// Index of a component in the values of the static limit, which have all components of three dimensions.
 std::size_t component_index(const Observed& observed, const Scene& scene) {
   const auto names = component_names(*read_at(observed, scene).quantity, 3);
   const auto found = std::find(names.begin(), names.end(), observed.component);

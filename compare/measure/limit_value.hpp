@@ -1,13 +1,13 @@
 #pragma once
-// What the converged static solution (fem/static_limit.hpp) says of a quantity.
+// The value of a quantity in the converged static solution (fem/static_limit.hpp).
 
 #include "compare/measure/curve.hpp"
 #include "fem/static_limit.hpp"
 
 namespace femsph::compare {
 
-/// The component that is observed along a section, SI; `points`: the limit's values along it, components of
-/// space.
+/// The observed component along a section, SI. `points`: the values of the limit along it, each with all
+/// components of three dimensions.
 Curve limit_profile(const Observed& observed, const Scene& scene,
                     const std::vector<std::vector<double>>& points);
 

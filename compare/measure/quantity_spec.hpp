@@ -20,7 +20,7 @@ struct Observed {
   std::string si = {};  ///< SI unit that a column is expected in; empty: any
 };
 
-/// What is made of a history or a profile: the catalogue is in reductions.hpp.
+/// How a history or a profile is reduced to a number: the catalogue is in reductions.hpp.
 enum class Reduce {
   final,
   max,
@@ -47,8 +47,8 @@ struct QuantitySpec {
   Observed along;                               ///< excess: the equivalent plastic strain p
   std::optional<std::array<double, 2>> window;  ///< s: the part of a history that `reduce` looks at
   SignRule sign = SignRule::as_is;              ///< how value, theory and limit are shown
-  double offset = 0;  ///< added to the value, in the unit and sign of the table: to a displacement, say, the
-                      ///< length at the start
+  double offset = 0;  ///< added to the value, in the unit and sign of the table: the initial length, for
+                      ///< example, to a displacement
   std::optional<std::string> theory;    ///< name of a theory value
   std::optional<double> reference;      ///< instead of theory: a number, in the unit and sign of the table
   std::optional<ReferenceTable> table;  ///< instead of theory, with l2: a whole history

@@ -19,7 +19,7 @@ double signed_as(double value, SignRule rule) {
   return rule == SignRule::as_is ? value : rule == SignRule::reversed ? -value : std::abs(value);
 }
 
-/// The point at which theory is asked for a value.
+/// The point at which the theory value is evaluated, m.
 Point place_of(const QuantitySpec& quantity, const Scene& scene) {
   const Observed& observed = quantity.observed;
   if (!observed.section.empty() && quantity.reduce == Reduce::moment)
@@ -132,9 +132,9 @@ std::string no_value_at(const QuantitySpec& quantity, const Scene& scene, bool c
                    [&](const Probe& p) { return p.name == observed.probe; }) &&
       std::none_of(scene.sections.begin(), scene.sections.end(),
                    [&](const Section& s) { return s.name == observed.section; }))
-    return "";  // said where it is read
+    return "";  // reported where it is read
   const ReadAt read = read_at(observed, scene);
-  Scene there = scene;  // with this reading alone
+  Scene there = scene;  // with this probe alone
   there.sections.clear();
   there.probes = {{observed.probe + observed.section, read.body, read.quantity, place_of(quantity, scene)}};
   for (const SingularPlace& place : singular_places(there))

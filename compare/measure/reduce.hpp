@@ -17,8 +17,8 @@ Reduced reduce(const QuantitySpec& quantity, const RunResult& result, const Scen
                const fem::StaticLimit* limit);
 
 /// Why the exact value of a quantity that is read at a point is infinite there (model/scene/singular.hpp);
-/// empty if nothing says so. Not `certain`: why it may be infinite, at supports of which the scene does not
-/// tell whether they carry a reaction.
+/// empty if no reason is known. Not `certain`: why it may be infinite, at supports that may or may not carry
+/// a reaction.
 std::string no_value_at(const QuantitySpec& quantity, const Scene& scene, bool certain = true);
 
 }  // namespace femsph::compare

@@ -31,16 +31,16 @@ double duration_of(const Curve& curve) {
     if (curve.value[i] != 0) from = from.value_or(curve.at[i]), to = curve.at[i];
   if (!from) throw std::runtime_error("the history is zero at all times, so it has no duration");
   if (curve.value.back() != 0)
-    throw std::runtime_error("the history is not zero at its end, so that its duration is not known");
+    throw std::runtime_error("the history is not zero at its end, so its duration is not known");
   if (to == *from)
     throw std::runtime_error(
-        "the history is not zero in one sample only, which tells no duration; expected more samples");
+        "only one sample of the history is not zero, which gives no duration; expected more samples");
   return to - *from;
 }
 
 double frequency_of(const Curve& curve) {
   const auto frequency = dominant_frequency(curve.at, curve.value);
-  if (!frequency) throw std::runtime_error("the history does not swing back, so it has no frequency");
+  if (!frequency) throw std::runtime_error("the history does not oscillate, so it has no frequency");
   return *frequency;
 }
 
@@ -133,11 +133,11 @@ double moment(const Curve& curve, const Section& section, const Scene& scene) {
   const Body& body = scene.bodies[section.body];
   if (section.quantity != quantity_named("stress") || section.from[0] != section.to[0] ||
       section.from[2] != section.to[2])
-    throw std::runtime_error(
-        fmt::format("a moment is of a section of stress along y, and {} is none", in_quotes(section.name)));
+    throw std::runtime_error(fmt::format(
+        "a moment needs a section of stress along y, and {} is not one", in_quotes(section.name)));
   if (scene.dim() == 3 && !body.shape->is_box())
     throw std::runtime_error(fmt::format(
-        "a moment in space is of a box, whose width is known, and body {} is none", in_quotes(body.name)));
+        "a moment in three dimensions needs a box, and body {} is not one", in_quotes(body.name)));
   const double middle = 0.5 * (curve.at.front() + curve.at.back());
   double sum = 0;
   for (std::size_t i = 1; i < curve.at.size(); ++i)
@@ -155,7 +155,7 @@ double excess(const QuantitySpec& quantity, const RunResult& result, const Scene
         in_quotes(scene.bodies[place.body].name), in_quotes(scene.bodies[along.body].name)));
   if (place.quantity != quantity_named("equivalent_stress") ||
       along.quantity != quantity_named("plastic_strain"))
-    throw std::runtime_error("excess is of an equivalent stress, along a plastic strain");
+    throw std::runtime_error("excess needs an equivalent stress, along a plastic strain");
   const Material& m = scene.material_of(scene.bodies[place.body]);
   if (!m.plasticity()) throw std::runtime_error("an elastic material has no yield curve");
   if (m.plasticity()->johnson_cook)

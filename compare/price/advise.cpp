@@ -12,7 +12,7 @@
 namespace femsph::compare {
 namespace {
 
-// Divisions of the shortest side. Their ratios are 1.3 to 2, as the finest run costs more than all others.
+// Divisions of the shortest side. Their ratios are 1.3 to 2: the finest run costs more than all others.
 constexpr int ladder_divisions[] = {1, 2, 3, 4, 6, 8, 12, 16, 24, 32, 48, 64, 96, 128, 192, 256, 384, 512};
 
 double shortest_side(const Scene& scene) {
@@ -44,7 +44,8 @@ struct Ladders {
     return PricedLadder(m.rungs, scene.dim()).cpu_at(advice.shortest / divisions);
   }
 
-  /// An error is asked for, and the limit is known to a fifth of it: the finest run has a smaller error.
+  /// Whether an error is asked for and the limit is known to a fifth of it. The error of the finest run is
+  /// then smaller than the one asked for.
   bool knows_enough(const MethodEvidence& m) const {
     if (!question.error || m.rungs.size() < 4) return false;
     Ladder values;
@@ -133,7 +134,7 @@ void find_dissent(Advice& advice) {
                matters = 100 * std::abs(last) >= 0.2 * advice.tolerance_percent * std::abs(m.values[n - 1]);
     if (!on || !matters || (m.order && *m.order >= least_order)) continue;
     m.dissent = fmt::format(
-        "the values of {} go on changing from spacing to spacing ({}), which is no convergence",
+        "the values of {} keep changing from spacing to spacing ({}), so that they do not converge",
         m.method.name, m.order ? fmt::format("order {:.2f}", *m.order) : "by more each time");
   }
 }
@@ -262,13 +263,13 @@ Advice advise(const Scene& scene, const Question& question, const Engine& engine
   const auto dissent = std::find_if(advice.methods.begin(), advice.methods.end(),
                                     [](const MethodEvidence& m) { return !m.dissent.empty(); });
   if (dissent != advice.methods.end())
-    advice.refusal = dissent->dissent + ": there may be no limit to be near to" +
+    advice.refusal = dissent->dissent + ": there may be no limit" +
                      (advice.suspect.empty() ? "" : "; " + advice.suspect);
   else if (!advice.reference)
     advice.refusal = "no method's values approach a limit; a larger --budget allows finer runs";
   else if (advice.meeting < 2)
     advice.refusal =
-        "no two methods approach the same limit, so that nobody knows which is right; a larger --budget "
+        "no two methods approach the same limit, so that it is not known which is right; a larger --budget "
         "allows finer runs";
   else
     choose(scene, question, advice);

@@ -46,8 +46,8 @@ struct Advice {
   int meeting = 0;            ///< number of methods whose limits agree, with the reference method
   bool both_kinds = false;    ///< FEM and SPH are among them
   double spread_percent = 0;  ///< largest distance of these limits from the reference
-  std::string suspect;  ///< why the exact value may be infinite: at a support of which the scene does not
-                        ///< tell whether it carries a reaction
+  std::string suspect;  ///< why the exact value may be infinite: at a support that may or may not carry a
+                        ///< reaction
   std::vector<std::optional<Choice>>
       choices;                       ///< what each method needs for the error, or reaches in the time
   std::vector<std::string> why_not;  ///< why a method has no choice
@@ -72,7 +72,7 @@ Outcome follow(const Scene& scene, const Question& question, const Advice& advic
 struct AdviseCommand;
 Question question_of(const AdviseCommand& command, const Scene& scene);
 
-/// For people: ladders, limits, advice.
+/// The advice as text: ladders, limits, advice.
 std::string describe(const Scene& scene, const Question& question, const Advice& advice);
 std::string describe(const Advice& advice, const Question& question, const Outcome& outcome);
 

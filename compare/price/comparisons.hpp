@@ -29,7 +29,7 @@ struct Finer {
   double base_spacing;   ///< mm
   double finer, dearer;  ///< spacing of the base over that of the method; CPU over that of the base
   bool extrapolated;     ///< either of the two
-  double dearer_if_ten_times_finer;  ///< CPU at a tenth of the base's spacing over CPU of the base
+  double dearer_if_ten_times_finer;  ///< CPU at a tenth of the base's spacing over that of the base
 };
 std::vector<Finer> finer(const PricedScene& scene);
 

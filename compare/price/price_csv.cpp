@@ -75,10 +75,11 @@ std::string ladders_csv(const std::vector<PricedScene>& scenes) {
     for (const auto& entry : scene.methods) {
       std::string why;
       const auto order = entry.ladder.order(&why);
-      text += csv_line({scene.spec->name, entry.method, csv_number(order), csv_number(entry.ladder.heading()),
-                        csv_number(entry.ladder.error_over_cpu()), csv_number(entry.ladder.cpu_over_dof()),
-                        csv_number(entry.nanoseconds), csv_number(entry.spread_percent),
-                        fmt::format("{}", entry.ladder.rungs().size()), why});
+      text += csv_line(
+          {scene.spec->name, entry.method, csv_number(order), csv_number(entry.ladder.error_at_zero()),
+           csv_number(entry.ladder.error_over_cpu()), csv_number(entry.ladder.cpu_over_dof()),
+           csv_number(entry.nanoseconds), csv_number(entry.spread_percent),
+           fmt::format("{}", entry.ladder.rungs().size()), why});
     }
   return text;
 }

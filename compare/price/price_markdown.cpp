@@ -68,7 +68,7 @@ std::string spacing_table(const PricedScene& scene) {
 std::string finer_table(const PricedScene& scene) {
   const auto all = finer(scene);
   if (all.empty()) return "";
-  PriceCells cells{{"method", "error", "times finer", "times dearer", "dearer if 10x finer"}};
+  PriceCells cells{{"method", "error", "times finer", "price ratio", "price ratio if 10x finer"}};
   for (const Finer& one : all)
     if (one.method.starts_with("sph"))
       cells.push_back({one.method, fmt::format("{:g} %", one.error),

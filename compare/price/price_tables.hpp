@@ -1,5 +1,5 @@
 #pragma once
-// The price of accuracy as tables: price.csv, the data of its figures, and Markdown for people.
+// The price of accuracy as tables: price.csv, the data of its figures, and Markdown.
 
 #include "compare/price/priced_scene.hpp"
 
@@ -10,7 +10,8 @@ namespace femsph::compare {
 std::string price_csv(const std::vector<PricedScene>& scenes);
 /// All methods at one spacing: scene,method,spacing_mm,error_percent,cpu_s,ratio_to_cheapest.
 std::string spacing_csv(const std::vector<PricedScene>& scenes);
-/// How many times finer, and dearer, than the base method:
+/// Against the base method at the same error: the ratio of the spacings (finer) and of the CPU times
+/// (dearer):
 /// scene,method,base,error_percent,base_spacing_mm,finer,dearer,extrapolated,dearer_if_ten_times_finer.
 std::string finer_csv(const std::vector<PricedScene>& scenes);
 /// One row for each ladder: scene,method,order,heads_for_percent,error_over_cpu,cpu_over_dof,
@@ -21,7 +22,7 @@ std::string ladders_csv(const std::vector<PricedScene>& scenes);
 std::string rungs_csv(const PricedScene& scene);
 /// The Pareto front of the rungs by credited error and CPU time: method,cpu_s,error_percent, dearest last.
 std::string front_csv(const PricedScene& scene);
-/// All of it for people.
+/// All tables in Markdown.
 std::string price_markdown(const std::vector<PricedScene>& scenes);
 
 }  // namespace femsph::compare

@@ -25,10 +25,10 @@ PricedLadder::PricedLadder(std::vector<PricedRung> rungs, int dim, double known_
   const std::size_t n = rungs_.size();
   Ladder errors;
   for (const PricedRung& rung : rungs_) errors.push_back({rung.spacing, rung.error});
-  if (const auto extrapolation = richardson(errors)) heading_ = extrapolation->limit;
+  if (const auto extrapolation = richardson(errors)) error_at_zero_ = extrapolation->limit;
   credited_.resize(n);
   for (std::size_t i = n; i-- > 0;) {
-    credited_[i] = std::max(std::abs(rungs_[i].error), std::abs(heading_.value_or(0)));
+    credited_[i] = std::max(std::abs(rungs_[i].error), std::abs(error_at_zero_.value_or(0)));
     if (i + 1 < n)
       credited_[i] = std::max(credited_[i], credited_[i + 1]);
     else if (n > 1 && !one_sign(rungs_[i].error, rungs_[i - 1].error))
@@ -111,17 +111,18 @@ std::optional<double> PricedLadder::order(std::string* why) const {
 std::optional<double> PricedLadder::sound_order(std::string* why) const {
   std::string reason;
   const auto p = order(&reason);
-  if (!p && !(heading_ && reason.starts_with("no one order"))) {
+  if (!p && !(error_at_zero_ && reason.starts_with("no one order"))) {
     if (why) *why = reason;
     return {};
   }
-  if (p && heading_ && std::abs(*heading_) <= 0.5 * std::abs(rungs_.back().error)) return p;
-  const bool elsewhere = heading_ && std::abs(*heading_) > 0.5 * std::abs(rungs_.back().error);
+  if (p && error_at_zero_ && std::abs(*error_at_zero_) <= 0.5 * std::abs(rungs_.back().error)) return p;
+  const bool elsewhere = error_at_zero_ && std::abs(*error_at_zero_) > 0.5 * std::abs(rungs_.back().error);
   if (why)
     *why = !p && !elsewhere ? reason
-           : heading_ ? fmt::format("the finest three spacings head for an error of {:+.2g} %, not for zero",
-                                    *heading_)
-                      : "the finest three spacings do not approach a limit";
+           : error_at_zero_
+               ? fmt::format("the finest three spacings extrapolate to an error of {:+.2g} %, not to zero",
+                             *error_at_zero_)
+               : "the finest three spacings do not approach a limit";
   return {};
 }
 

@@ -55,7 +55,7 @@ class PricedLadder {
   /// errors have one sign and fall; nothing with fewer than three such rungs, and `why` says why.
   std::optional<double> order(std::string* why = nullptr) const;
   /// The error at spacing zero by Richardson's extrapolation of the finest three rungs, percent.
-  std::optional<double> heading() const { return heading_; }
+  std::optional<double> error_at_zero() const { return error_at_zero_; }
   /// Slope in log-log of the error over the CPU time, over the rungs that `order` uses.
   std::optional<double> error_over_cpu() const;
   /// Slope in log-log of the CPU time over the number of unknowns, over the finest four rungs.
@@ -69,7 +69,7 @@ class PricedLadder {
 
   std::vector<PricedRung> rungs_;
   std::vector<double> credited_;
-  std::optional<double> heading_;
+  std::optional<double> error_at_zero_;
   int dim_;
   double known_to_;
   double per_step_ = 0, per_unit_ = 0;  ///< s: a and b of the model

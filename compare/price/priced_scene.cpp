@@ -15,7 +15,7 @@ std::vector<const Row*> rows_of_price(const std::vector<Row>& rows, const Study&
   return found;
 }
 
-/// Notes in the scene what the row is measured against. Nothing if the row has no error or no price.
+/// The rung of a row; its reference is noted in `scene`. Nothing if the row has no error or no CPU time.
 std::optional<PricedRung> rung_of(const Row& row, PricedScene& scene) {
   const auto error = error_of(row, scene.spec->reference);
   if (!error || !row.spacing_mm || !row.total_cpu_s || row.settled == false) return {};
@@ -67,7 +67,7 @@ std::vector<PricedScene> priced_scenes(const Study& study, const std::vector<Row
     std::vector<std::string> methods;
     for (const Row* row : priced) {
       if (row->value)
-        scene.nothing = row->limit_doubt.empty() ? "there is nothing to err from" : row->limit_doubt;
+        scene.nothing = row->limit_doubt.empty() ? "there is no reference for an error" : row->limit_doubt;
       if (row->method != reference && std::find(methods.begin(), methods.end(), row->method) == methods.end())
         methods.push_back(row->method);
     }

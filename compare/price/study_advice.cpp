@@ -74,8 +74,8 @@ std::string csv(const std::vector<FollowedAdvice>& all) {
 
 std::string markdown(const std::vector<FollowedAdvice>& all) {
   std::vector<std::vector<std::string>> cells{
-      {"quantity", "asked", "advised", "methods that meet", "predicted CPU s", "measured", "ratio",
-       "predicted error %", "error against its own limit %", "error against the study's limit %"}};
+      {"quantity", "asked", "advised", "methods that agree", "predicted CPU s", "measured", "ratio",
+       "predicted error %", "error against the limit of advise %", "error against the study's limit %"}};
   for (const FollowedAdvice& one : all) {
     const auto& best = one.advice.best;
     if (!best) {

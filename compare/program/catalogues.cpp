@@ -35,7 +35,7 @@ std::vector<Entry> theory_entries() {
   return all;
 }
 
-/// By the names that `check` prints, with the tables of a scene that switch them on.
+/// The effects by the names that `check` prints, with the tables of a scene that switch them on.
 std::vector<Entry> effects_entries() {
   std::vector<Entry> all;
   for (const EffectEntry& effect : effects()) {
@@ -68,7 +68,7 @@ std::string to_markdown(const Catalogue& catalogue) {
 std::string with_catalogues(const std::string& readme) {
   std::string text = readme;
   for (const Catalogue& catalogue : catalogues())
-    if (asks_for(text, catalogue.kind)) text = with_table(text, to_markdown(catalogue), catalogue.kind);
+    if (has_table(text, catalogue.kind)) text = with_table(text, to_markdown(catalogue), catalogue.kind);
   return text;
 }
 

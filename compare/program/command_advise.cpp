@@ -1,4 +1,4 @@
-// `femsph advise`: makes a question of the command line, and prints the advice.
+// `femsph advise`: reads the question from the command line, and prints the advice.
 
 #include <fmt/format.h>
 
@@ -8,6 +8,7 @@
 #include "compare/price/advise.hpp"
 #include "compare/program/commands.hpp"
 #include "model/input/faults.hpp"
+#include "model/input/lookup.hpp"
 #include "model/input/units.hpp"
 #include "model/numerics/parallel.hpp"
 #include "model/results/recorder.hpp"
@@ -39,8 +40,8 @@ double percent_of(const std::string& text) {
   const bool percent = end > 0 && text.substr(end) == "%";
   const double result = percent ? value : 100 * value;
   if (end == 0 || !(percent || end == text.size()) || !(result > 0 && result < 100))
-    throw BadCommand(
-        fmt::format("--error {}: expected a part between 0 and 1, or percent: 0.01 or 1%", in_quotes(text)));
+    throw BadCommand(fmt::format(
+        "--error {}: expected a fraction between 0 and 1, or a percentage: 0.01 or 1%", in_quotes(text)));
   return result;
 }
 
@@ -49,29 +50,18 @@ const Probe& probe_of(const Scene& scene, const std::string& name) {
     throw BadCommand(fmt::format(
         "{} has no probe; expected [[probes]] with the quantity whose error matters", scene.file));
   if (name.empty()) return scene.probes.front();
-  std::vector<std::string> names;
-  for (const Probe& probe : scene.probes) {
-    if (probe.name == name) return probe;
-    names.push_back(probe.name);
-  }
-  throw BadCommand(fmt::format("--probe: no probe is called {}; expected {}{}", in_quotes(name),
-                               one_of(names), did_you_mean(name, names)));
+  return entry_named<BadCommand>(
+      scene.probes, name, &Probe::name, "--probe: no probe is called " + in_quotes(name));
 }
 
 Reduce reduce_of(const Scene& scene, const std::string& word) {
   static const std::vector<std::pair<std::string, Reduce>> known = {
       {"final", Reduce::final}, {"peak", Reduce::peak}, {"mean", Reduce::mean}};
   if (word.empty()) return scene.settling ? Reduce::final : Reduce::peak;
-  std::vector<std::string> names;
-  for (const auto& [name, reduce] : known) {
-    if (name == word) return reduce;
-    names.push_back(name);
-  }
-  throw BadCommand(fmt::format(
-      "--reduce: {} is unknown; expected {}{}", in_quotes(word), one_of(names), did_you_mean(word, names)));
+  return value_named<BadCommand>(known, word, fmt::format("--reduce: {} is unknown", in_quotes(word)));
 }
 
-/// The component with the largest value in a coarse run, by the first method that can make one.
+/// The component with the largest magnitude in a coarse run, by the first method that can make such a run.
 std::string largest_component(const Scene& scene, const Probe& probe,
                               const std::vector<std::string>& components, const Question& question) {
   double shortest = 1e300;
@@ -118,7 +108,7 @@ Question question_of(const AdviseCommand& c, const Scene& scene) {
   } catch (const std::runtime_error& e) {
     throw BadCommand(std::string("--methods: ") + e.what());
   }
-  for (std::size_t i = 0; i < q.methods.size(); ++i)  // a method that is given twice would agree with itself
+  for (std::size_t i = 0; i < q.methods.size(); ++i)  // a method given twice would agree with itself
     for (std::size_t j = 0; j < i; ++j)
       if (q.methods[i].name == q.methods[j].name)
         throw BadCommand(fmt::format("--methods: {} is given twice", q.methods[i].name));

@@ -1,3 +1,5 @@
+// `femsph check`: prints a scene and, with a method, its discretization, without running it.
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -87,12 +89,13 @@ int check_command(const RunCommand& command) {
   options.safety = command.safety;
   const March march(scene, std::move(bodies), options);
   for (const std::string& text : march.warnings()) print_warning(text);
-  fmt::print("by {}:\n", method.name);
+  fmt::print("with {}:\n", method.name);
   for (const auto& [key, value] : derived_values(march))
     if (key != "effects on") fmt::print("  {:<24} {}\n", key, value);
   const double each = seconds_per_step(scene, method, resolution, options, march.dt(), march.price().units);
-  fmt::print("  {:<24} {:.2g} s of CPU expected ({:.3g} ns for each unit and step, measured)\n", "time",
-             each * double(march.planned_steps()), 1e9 * each / double(march.price().units));
+  fmt::print("  {:<24} {:.2g} s of CPU expected (measured: {:.3g} ns per {} and step)\n", "time",
+             each * double(march.planned_steps()), 1e9 * each / double(march.price().units),
+             method.is_fem() ? "element" : "particle");
   return 0;
 }
 

@@ -8,6 +8,7 @@
 #include "compare/program/catalogues.hpp"
 #include "compare/program/commands.hpp"
 #include "compare/study/reader/study_page.hpp"
+#include "model/input/lookup.hpp"
 #include "model/input/toml_fields.hpp"
 #include "model/results/history.hpp"
 #include "model/scene/reader/scene_page.hpp"
@@ -58,11 +59,9 @@ void print_entry(const Entry& entry, std::size_t width) {
 }
 
 const KeyPage& page_of(const std::string& topic) {
-  if (topic == "scene") return scene_page();
-  if (topic == "study") return study_page();
-  const std::vector<std::string> topics = {"scene", "study"};
-  throw BadCommand(fmt::format("no page of keys for {}; expected {}{}", in_quotes(topic), one_of(topics),
-                               did_you_mean(topic, topics)));
+  static const std::vector<std::pair<std::string, const KeyPage*>> pages = {
+      {"scene", &scene_page()}, {"study", &study_page()}};
+  return *value_named<BadCommand>(pages, topic, "no page of keys for " + in_quotes(topic));
 }
 
 void write_documents(const fs::path& folder) {

@@ -1,6 +1,9 @@
+// `femsph point`: the stress of one material point along a path of strains, without a discretization.
+
 #include <fmt/format.h>
 
 #include "compare/program/commands.hpp"
+#include "model/input/lookup.hpp"
 #include "model/input/toml_fields.hpp"
 #include "model/material/point.hpp"
 #include "model/results/history.hpp"
@@ -12,30 +15,16 @@ namespace {
 
 template <class T>
 T word(const char* option, const std::string& value, const std::vector<std::pair<std::string, T>>& words) {
-  std::vector<std::string> names;
-  for (const auto& [name, meaning] : words) {
-    if (name == value) return meaning;
-    names.push_back(name);
-  }
-  throw BadCommand(fmt::format(
-      "{} cannot be {}; expected {}{}", option, in_quotes(value), one_of(names), did_you_mean(value, names)));
-}
-
-const Material& material_named(const Scene& scene, const std::string& name) {
-  std::vector<std::string> names;
-  for (const auto& [known, material] : scene.materials) {
-    if (known == name) return material;
-    names.push_back(known);
-  }
-  throw BadCommand(fmt::format("--material: no material {} in {}; expected {}{}", in_quotes(name), scene.file,
-                               one_of(names), did_you_mean(name, names)));
+  return value_named<BadCommand>(words, value, fmt::format("{} cannot be {}", option, in_quotes(value)));
 }
 
 }  // namespace
 
 int point_command(const PointCommand& command) {
   const Scene scene = read_scene(command.scene);
-  Material material = material_named(scene, command.material);
+  Material material = value_named<BadCommand>(
+      scene.materials, command.material,
+      fmt::format("--material: no material {} in {}", in_quotes(command.material), scene.file));
   const Plane plane =
       command.plane.empty()
           ? scene.plane

@@ -1,3 +1,5 @@
+// `femsph resume`: reads the command line again that the checkpoint holds, and continues the run.
+
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
@@ -23,7 +25,7 @@ int resume_command(const ResumeCommand& resume) {
   run.out = resume.folder;
   if (resume.threads) run.threads = *resume.threads;
   if (resume.checkpoint) run.checkpoint = resume.checkpoint;
-  fmt::print(stderr, "goes on from {}\n", run.from->origin().progress);
+  fmt::print(stderr, "continues from {}\n", run.from->origin().progress);
   return run_command(run);
 }
 

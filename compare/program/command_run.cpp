@@ -1,3 +1,5 @@
+// `femsph run`; and how `run` and `check` read the method and the resolution from the command line.
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -9,6 +11,7 @@
 #include "compare/run/plan/method_option.hpp"
 #include "compare/run/run_output.hpp"
 #include "model/input/faults.hpp"
+#include "model/input/lookup.hpp"
 #include "model/input/toml_fields.hpp"
 #include "model/input/units.hpp"
 #include "model/motion/bodies/price.hpp"
@@ -40,9 +43,8 @@ void refuse_idle(const std::string& flag, const MethodOption& option, const Meth
 }
 
 const std::string& checked_word(const MethodOption& option, const std::string& value) {
-  if (std::find(option.words.begin(), option.words.end(), value) != option.words.end()) return value;
-  throw BadCommand(fmt::format("{} cannot be {}; expected {}{}", flag_of(option), in_quotes(value),
-                               one_of(option.words), did_you_mean(value, option.words)));
+  return entry_named<BadCommand>(option.words, value, std::identity{},
+                                 fmt::format("{} cannot be {}", flag_of(option), in_quotes(value)));
 }
 
 /// The options of the method that the command line changes. First refuses those that would do nothing, then
@@ -110,16 +112,16 @@ Method method_of(const RunCommand& c) {
 Resolution resolution_of(const RunCommand& c, const Scene& scene, const Method& method) {
   Resolution r;
   if (c.spacing && !c.divisions.empty())
-    throw BadCommand("--spacing and --divisions both say how fine; give one of them");
+    throw BadCommand("both --spacing and --divisions are given; expected one of them");
   const bool own_cells = method.is_fem() &&
                          std::all_of(scene.bodies.begin(), scene.bodies.end(),
                                      [](const Body& body) { return body.rigid || body.shape->cells(); });
   if (own_cells && (c.spacing || !c.divisions.empty()))
     throw BadCommand(fmt::format(
-        "{} does nothing with {}: every body of {} that deforms brings its own cells",
+        "{} does nothing with {}: the cells of every deformable body of {} come from its shape",
         c.spacing ? "--spacing" : "--divisions", method.name, scene.file));
   if (!own_cells && !c.spacing && c.divisions.empty())
-    throw BadCommand("how fine? give a spacing, such as --spacing \"10 mm\"");
+    throw BadCommand("no resolution is given; expected a spacing, such as --spacing \"10 mm\"");
   if (c.spacing) {
     try {
       r.spacing = to_si(*c.spacing, dimension::length);
@@ -183,7 +185,7 @@ Scene scene_again(const RunOrigin& origin) {
   return scene;
 }
 
-/// A run writes scene.toml into its folder: it must not overwrite one that is not of an earlier run.
+/// A run writes scene.toml into its folder. It must not overwrite a file that is not from an earlier run.
 void refuse_foreign(const std::string& folder, const Scene& scene) {
   const std::string file = folder + "/scene.toml";
   std::error_code none;
@@ -191,8 +193,8 @@ void refuse_foreign(const std::string& folder, const Scene& scene) {
       read_text_file(file, "a scene", Length::any) == scene.text)
     return;
   throw BadCommand(fmt::format(
-      "--out {}: there is a scene.toml that no run has put there, and this run would write its "
-      "own over it; give another folder",
+      "--out {}: it holds a scene.toml that is not from a run, and this run would "
+      "overwrite it; expected another folder",
       in_quotes(folder)));
 }
 
@@ -206,7 +208,7 @@ int run_command(const RunCommand& command) {
   std::error_code failure;
   std::filesystem::create_directories(command.out, failure);
   if (failure)
-    throw std::runtime_error(fmt::format("cannot make the folder {}: {}", command.out, failure.message()));
+    throw std::runtime_error(fmt::format("cannot create the folder {}: {}", command.out, failure.message()));
   if (!command.from) refuse_foreign(command.out, scene);
   RunOptions options;
   options.march = march;

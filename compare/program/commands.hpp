@@ -51,7 +51,7 @@ struct ResumeCommand {
 };
 int resume_command(const ResumeCommand& command);
 
-/// `femsph point`: one material point along a path of strains.
+/// `femsph point`: the stress of one material point along a path of strains.
 struct PointCommand {
   std::string scene, material, path;
   std::string plane, integration;  ///< empty: as the scene says
@@ -63,8 +63,8 @@ int point_command(const PointCommand& command);
 struct AdviseCommand {
   std::string scene;
   std::string error, within;  ///< one of them: "1%" or "0.01"; "10 min"
-  std::string probe, component,
-      reduce;  ///< empty: the first probe, its largest component, its end (settling) or peak
+  /// Empty: the first probe; its largest component; its last value if the scene settles, else its peak.
+  std::string probe, component, reduce;
   std::vector<std::string> methods;  ///< empty: the four elements, classic (share) and corrected SPH
   std::string budget = "30 s";
   double safety = 0.98;
@@ -128,7 +128,7 @@ std::string studies_folder(const std::string& program);
 /// The names of the studies in a folder.
 std::vector<std::string> studies_in(const std::string& folder);
 
-/// study_command with another engine.
+/// The same with another engine.
 int study_command(const StudyCommand& command, const Engine& engine);
 
 }  // namespace femsph::compare

@@ -35,7 +35,7 @@ Exit complain(const std::string& text, Exit code) {
   return code;
 }
 
-/// `femsph check` without a solver only reads the scene: what belongs to a discretization would do nothing.
+/// `femsph check` without a solver only reads the scene: the options of a discretization would do nothing.
 void refuse_without_solver(CLI::App& check) {
   if (check.get_option("--solver")->count() > 0) {
     if (check.get_option("--solver")->as<std::string>().empty())
@@ -109,7 +109,7 @@ int run_program(int argc, char** argv) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  std::signal(SIGXFSZ, SIG_IGN);  // a file over the limit is an error of writing, like a full disk
+  std::signal(SIGXFSZ, SIG_IGN);  // a file beyond the size limit is then a write error, like a full disk
   try {
     return run_program(argc, argv);
   } catch (const InputError& error) {
@@ -127,7 +127,7 @@ int main(int argc, char** argv) {
     return complain(error.what(), bad_run);
   } catch (const std::bad_alloc&) {
     return complain(
-        "out of memory; take a coarser spacing (`femsph check` estimates the memory)", bad_machine);
+        "out of memory; use a coarser spacing (`femsph check` estimates the memory)", bad_machine);
   } catch (const std::exception& error) {
     return complain(error.what(), bad_machine);
   }

@@ -23,7 +23,7 @@ std::vector<const CLI::App*> shown(const CLI::App& app) {
   return commands;
 }
 
-/// Text for troff: a minus is a minus, and no line begins with a request.
+/// Escapes a text for troff: hyphens stay ASCII hyphens, and no line begins with a request.
 std::string troff(const std::string& text) {
   std::string out;
   bool begins = true;
@@ -145,13 +145,13 @@ std::string manual_page(const CLI::App& app, const std::string& version, const s
   text += ".SH METHODS\n";
   for (const Method& method : methods())
     text += fmt::format(".TP\n\\fB{}\\fR\n{}\n", troff(method.name), troff(method.about));
-  text += ".SH THEORY VALUES\nThat a study can compare with.\n";
+  text += ".SH THEORY VALUES\nReference values that a study can compare with.\n";
   for (const Theory& theory : theories())
     text += fmt::format(
         ".TP\n\\fB{}\\fR ({})\n{}\n", troff(theory.name), troff(theory.unit), troff(theory.formula));
   return text + fmt::format(
                     ".SH EXIT STATUS\n{}\n.SH ENVIRONMENT\n.TP\n\\fBFEMSPH_STUDIES\\fR\nthe folder of the "
-                    "studies, in place of ./studies and of those that came with the program\n",
+                    "studies, instead of ./studies and of the installed studies\n",
                     troff(exit_codes));
 }
 

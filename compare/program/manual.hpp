@@ -1,6 +1,6 @@
 #pragma once
-// The manual page and the completion of a shell, written from the same subcommands and options that read the
-// command line, so that they cannot differ from it.
+// The manual page and the shell completion. They are written from the same subcommands and options that read
+// the command line, so that they cannot differ from it.
 
 #include <map>
 #include <string>

@@ -10,7 +10,7 @@
 namespace femsph::compare {
 namespace {
 
-// Options that several commands have.
+// Options of several commands.
 
 void add_scene(CLI::App* command, std::string& scene) {
   command->add_option("scene", scene, "scene file (TOML)")->required();
@@ -62,10 +62,11 @@ void add_run_options(CLI::App* command, RunCommand& c) {
   add_method_options(command, c);
   command->add_option("--out", c.out, "folder for results")->required();
   command->add_flag("!--no-fields", c.fields, "write no fields (histories and record only)");
-  command->add_option("--checkpoint", c.checkpoint,
-                      "write OUT/checkpoint.h5 every so many steps (1000) or so often on the clock (\"10 "
-                      "min\"), for `femsph resume OUT`;\n"
-                      "an interruption (SIGINT, SIGTERM) writes one in any case");
+  command->add_option(
+      "--checkpoint", c.checkpoint,
+      "write OUT/checkpoint.h5 after every so many steps (1000), or at intervals of wall time "
+      "(\"10 min\"), for `femsph resume OUT`;\n"
+      "an interruption (SIGINT, SIGTERM) writes one in any case");
   command->footer(exit_codes);
 }
 
@@ -87,7 +88,7 @@ CLI::App* add_study(CLI::App& app, StudyCommand& c) {
       ->add_option(
           "name", c.name, "name of a folder in studies/ (see `femsph list`), or path of a study file")
       ->required();
-  command->add_option("--out", c.out, "folder for results; the study writes into its own subfolder")
+  command->add_option("--out", c.out, "folder for results; the study writes into a subfolder with its name")
       ->capture_default_str();
   command->add_flag("--quick", c.quick, "coarse cases only");
   command->add_flag("--update-readme", c.update_readme, "write the table into the study's README.md");

@@ -1,6 +1,6 @@
 #pragma once
-// The subcommands with their options, which the command line, the manual page and the completion of a shell
-// are made of. Each add_.. returns the subcommand; its options write into `c`.
+// The subcommands and their options. The command line, the manual page and the shell completion are made from
+// them. Each add_.. returns the subcommand; its options write into `c`.
 
 #include "compare/program/commands.hpp"
 
@@ -10,7 +10,7 @@ class App;
 
 namespace femsph::compare {
 
-/// What the program returns, for the end of every help text.
+/// The meaning of the exit codes, for the end of help texts.
 extern const char* const exit_codes;
 
 CLI::App* add_study(CLI::App& app, StudyCommand& c);

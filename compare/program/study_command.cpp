@@ -30,7 +30,7 @@ void print(const std::string& line) {
 
 void complain(const std::string& line) { fmt::print(stderr, "femsph: {}\n", line); }
 
-/// The study.toml that the command means: given itself, by its folder, or by the name of a study.
+/// The study.toml that the command line names: by its path, by its folder or by the name of a study.
 std::string study_file(const StudyCommand& command) {
   if (fs::is_regular_file(command.name)) return command.name;
   if (fs::is_regular_file(fs::path(command.name) / "study.toml"))
@@ -48,10 +48,11 @@ void make_folder(const fs::path& folder) {
   std::error_code failed;
   fs::create_directories(folder, failed);
   if (failed)
-    throw std::runtime_error(fmt::format("cannot make the folder {}: {}", folder.string(), failed.message()));
+    throw std::runtime_error(
+        fmt::format("cannot create the folder {}: {}", folder.string(), failed.message()));
 }
 
-std::string table_for_people(const Study& study, const std::vector<Row>& rows) {
+std::string markdown_of(const Study& study, const std::vector<Row>& rows) {
   return study.bounds.empty() ? markdown(rows, orders_of(rows))
                               : markdown(judge(study.bounds, study.expectations, rows));
 }
@@ -63,7 +64,7 @@ void write_tables(const Study& study, const std::vector<Row>& rows, const fs::pa
   if (verdicts)
     write_text(csv(judge(study.bounds, study.expectations, rows)), (folder / "table.csv").string());
   write_text(csv(rows), (folder / (verdicts ? "details.csv" : "table.csv")).string());
-  write_text(table_for_people(study, rows), (folder / "table.md").string());
+  write_text(markdown_of(study, rows), (folder / "table.md").string());
   write_text(csv(orders), (folder / "orders.csv").string());
 }
 
@@ -152,7 +153,7 @@ void update_readme(const Study& study, const std::string& table) {
   }
 }
 
-// Runs a study and those it collects, appends their rows and returns the number of failures.
+// Runs a study and those that it collects, appends their rows, and returns the number of failures.
 int run_one(const Study& study, const StudyCommand& command, const Engine& engine, std::vector<Row>& rows) {
   const fs::path top = fs::path(command.out) / study.name;
   make_folder(study.series.empty() && study.prices.empty() ? top : top / "data");
@@ -167,7 +168,7 @@ int run_one(const Study& study, const StudyCommand& command, const Engine& engin
   own.insert(own.end(), outcome.rows.begin(), outcome.rows.end());
   write_tables(study, own, top);
   failures += write_series(study, outcome, top);
-  std::string table = write_prices(study, own, top, table_for_people(study, own));
+  std::string table = write_prices(study, own, top, markdown_of(study, own));
   if (!study.advice.empty() && !command.quick) {
     const auto followed = follow_advice(study, own, engine, print);
     failures += int(std::count_if(
@@ -198,7 +199,7 @@ std::string studies_folder(const std::string& program) {
   std::error_code ignored;
   if (const char* given = std::getenv("FEMSPH_STUDIES"); given && *given) {
     if (fs::is_directory(given, ignored)) return given;
-    throw BadCommand(fmt::format("FEMSPH_STUDIES is {}, which is no folder", in_quotes(given)));
+    throw BadCommand(fmt::format("FEMSPH_STUDIES is {}, which is not a folder", in_quotes(given)));
   }
   if (fs::is_directory("studies", ignored)) return "studies";
   fs::path self = fs::read_symlink("/proc/self/exe", ignored);

@@ -18,13 +18,13 @@ double factor_of(const std::string& head, const std::string& si, const std::stri
   const auto open = head.rfind('['), close = head.rfind(']');
   if (open == std::string::npos || close == std::string::npos || close < open)
     throw std::runtime_error(fmt::format(
-        "{}:1: a column is called {}; expected its unit too, such as \"tip [{}]\"", file, in_quotes(head),
-        si));
+        "{}:1: the column {} has no unit; expected it in brackets, such as \"tip [{}]\"", file,
+        in_quotes(head), si));
   try {
     return unit_named(head.substr(open + 1, close - open - 1), si).factor;
   } catch (const std::invalid_argument&) {
     throw std::runtime_error(fmt::format(
-        "{}:1: a column is called {}; expected a unit of the same kind as {}", file, in_quotes(head),
+        "{}:1: the column {} has another unit; expected one of the same kind as {}", file, in_quotes(head),
         in_quotes(si)));
   }
 }
@@ -50,12 +50,12 @@ ReferenceTable read_reference_table(const std::string& file, const std::string& 
     if (middle == text || !end || end == middle + 1 || (*end && *end != '\r') || !std::isfinite(at) ||
         !std::isfinite(value))
       throw std::runtime_error(
-          fmt::format("{}:{}: {} is no row of two numbers", file, number, in_quotes(line)));
+          fmt::format("{}:{}: {} is not a row of two numbers", file, number, in_quotes(line)));
     if (!table.at.empty() && !(at * time > table.at.back()))
-      throw std::runtime_error(fmt::format("{}:{}: the times do not rise", file, number));
+      throw std::runtime_error(fmt::format("{}:{}: the times do not increase", file, number));
     table.at.push_back(at * time), table.value.push_back(value * unit);
   }
-  if (table.at.size() < 2) throw std::runtime_error(fmt::format("{}: expected two rows or more", file));
+  if (table.at.size() < 2) throw std::runtime_error(fmt::format("{}: expected at least two rows", file));
   return table;
 }
 

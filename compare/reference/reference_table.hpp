@@ -1,5 +1,5 @@
 #pragma once
-// A history to compare with, of another program or of another solution: a CSV file beside the study, with the
+// A history to compare with, from another program or another solution: a CSV file beside the study, with the
 // header "time [s],NAME [unit]".
 
 #include <string>
@@ -8,7 +8,7 @@
 namespace femsph::compare {
 
 struct ReferenceTable {
-  std::vector<double> at, value;  ///< s, rising; SI
+  std::vector<double> at, value;  ///< s, increasing; SI
 };
 
 /// `si` is the SI unit of what it is compared with. Throws std::runtime_error with one sentence, FILE:LINE in

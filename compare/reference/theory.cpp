@@ -1,10 +1,9 @@
 #include "compare/reference/theory.hpp"
 
-#include <fmt/format.h>
-
 #include <stdexcept>
 
 #include "model/input/faults.hpp"
+#include "model/input/lookup.hpp"
 
 namespace femsph::compare {
 
@@ -21,17 +20,9 @@ const std::vector<Theory>& theories() {
   return list;
 }
 
-std::vector<std::string> theory_names() {
-  std::vector<std::string> names;
-  for (const Theory& theory : theories()) names.push_back(theory.name);
-  return names;
-}
-
 const Theory& theory_named(const std::string& name) {
-  for (const Theory& theory : theories())
-    if (theory.name == name) return theory;
-  throw std::runtime_error(fmt::format("no theory is called {}; expected {}{}", in_quotes(name),
-                                       one_of(theory_names()), did_you_mean(name, theory_names())));
+  return entry_named<std::runtime_error>(
+      theories(), name, &Theory::name, "no theory is called " + in_quotes(name));
 }
 
 }  // namespace femsph::compare

@@ -1,7 +1,7 @@
 #pragma once
-// Exact values and values of beam theory by their names, computed from a scene. In SI, with the signs of the
-// scene: a downward load gives a negative deflection. Histories are for a load that acts in full from the
-// start, without damping.
+// The list of theory values: exact values and values of beam theory, computed from a scene. In SI, with the
+// signs of the scene: a downward load gives a negative deflection. Histories are for a load that acts in full
+// from the start, without damping.
 
 #include <string>
 #include <vector>
@@ -10,9 +10,8 @@
 
 namespace femsph::compare {
 
-/// In the order of lists.
+/// All, in the order of `femsph list`.
 const std::vector<Theory>& theories();
-std::vector<std::string> theory_names();
 /// Throws std::runtime_error with "did you mean".
 const Theory& theory_named(const std::string& name);
 

@@ -17,7 +17,7 @@ extern char** environ;
 namespace femsph::compare {
 namespace {
 
-// A text for gnuplot: in single quotes, where only the quote itself is special.
+// A text in single quotes for gnuplot. Within them only the single quote is special.
 std::string gnuplot_text(const std::string& text) {
   std::string quoted = "'";
   for (const char c : text) quoted += c == '\'' ? "''" : std::string(1, c);
@@ -47,7 +47,7 @@ int run_gnuplot(const std::string& settings, const std::string& script, const st
   return WIFEXITED(status) ? WEXITSTATUS(status) : 1;
 }
 
-// What gnuplot said: its message is on the last line, with the place in the script.
+// The last line of gnuplot's output that is not empty: its error message, with the place in the script.
 std::string last_line(const std::string& file) {
   std::ifstream in(file);
   std::string last;
@@ -69,10 +69,11 @@ void make_figures(const std::string& script, const std::string& style, const std
     const int status = run_gnuplot(settings, script, log);
     if (status == 127)
       throw std::runtime_error(
-          "figures: no gnuplot found; the tables and data are written, install gnuplot for the figures");
+          "figures: gnuplot was not found; the tables and data are written; install gnuplot to get the "
+          "figures");
     if (status != 0)
       throw std::runtime_error(
-          fmt::format("figures: {} failed: {} (all of it in {})", script, last_line(log), log));
+          fmt::format("figures: {} failed: {} (the whole output is in {})", script, last_line(log), log));
   }
   std::error_code ignored;
   fs::remove(log, ignored);

@@ -1,4 +1,4 @@
-// The table for people.
+// The tables of a study in Markdown.
 
 #include <fmt/format.h>
 
@@ -44,7 +44,7 @@ std::string quantity_table(const std::vector<const Row*>& rows, bool several_stu
   const auto theory = common(rows, &Row::theory), limit = common(rows, &Row::limit);
   std::string caption = fmt::format("**{}** ({})", rows.front()->quantity, rows.front()->unit);
   if (theory) caption += fmt::format(", theory {}", rounded(*theory));
-  if (limit) caption += fmt::format(", elasticity limit {}", rounded(*limit));
+  if (limit) caption += fmt::format(", converged limit {}", rounded(*limit));
   Cells cells = {{several_studies ? "study" : "", "case", "method", "d mm", "cells over height", "value",
                   theory ? "" : "theory", "error %", limit ? "" : "limit", "error vs limit %", "paper",
                   "paper error %", "steps", "CPU s", "settled"}};

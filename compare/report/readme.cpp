@@ -4,7 +4,7 @@
 
 namespace femsph::compare {
 
-bool asks_for(const std::string& readme, const std::string& name) {
+bool has_table(const std::string& readme, const std::string& name) {
   return readme.find("<!-- femsph:" + name + " -->") != std::string::npos;
 }
 

@@ -9,7 +9,7 @@ namespace femsph::compare {
 /// `table`. Throws std::runtime_error when it does not hold the two once each, in this order.
 std::string with_table(const std::string& readme, const std::string& table,
                        const std::string& name = "table");
-/// It holds the line <!-- femsph:NAME -->.
-bool asks_for(const std::string& readme, const std::string& name);
+/// Whether it holds the line <!-- femsph:NAME -->.
+bool has_table(const std::string& readme, const std::string& name);
 
 }  // namespace femsph::compare

@@ -63,7 +63,7 @@ std::string csv_number(const std::optional<double>& value);
 /// Cells, quoted where they must be, with the end of the line.
 std::string csv_line(const std::vector<std::string>& cells);
 
-/// For people: one aligned table for each quantity, rounded; then the orders and the failures.
+/// Rounded, in Markdown: one aligned table for each quantity; then the orders and the failures.
 std::string markdown(const std::vector<Row>& rows, const std::vector<Order>& orders);
 /// Aligned Markdown; the first line of `cells` is the header. Columns that are empty below it are left out.
 std::string markdown_table(const std::vector<std::vector<std::string>>& cells);

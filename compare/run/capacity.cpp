@@ -22,14 +22,14 @@ constexpr double most_units =
 double bytes_of_unit(const Scene& scene, const Body& body, const Method& method) {
   const int dim = scene.dim(), symmetric = dim * (dim + 1) / 2;
   const bool plastic = scene.material_of(body).yields();
-  const double remembered = plastic ? 8.0 * (2 * symmetric + 3) : 0.0;  // of a material point
+  const double state = plastic ? 8.0 * (2 * symmetric + 3) : 0.0;  // of the state of a material point
   if (method.is_fem()) {
     const auto& element = fem::element_named(std::get<fem::Options>(method.options).element);
-    return (dim == 2 ? 1300 : 2000) + remembered * element.points[dim == 2 ? 0 : 1];
+    return (dim == 2 ? 1300 : 2000) + state * element.points[dim == 2 ? 0 : 1];
   }
   const auto& options = std::get<sph::Options>(method.options);
   const bool corrected = sph::formulation_named(options.formulation).corrected;
-  if (!corrected && scene.large_motion) return (dim == 2 ? 1500 : 2000) + remembered;
+  if (!corrected && scene.large_motion) return (dim == 2 ? 1500 : 2000) + state;
   const bool scattered = options.jitter > 0 || sph::is_fitted(*body.shape, options);
   const double rows = scattered ? (dim == 2 ? 600 : 2200) * std::pow(options.smoothing / 1.2, dim) : 0.0;
   const double projected = corrected && options.projection ? 2 : 1;  // the rows of the adjoint are stored too
@@ -37,7 +37,7 @@ double bytes_of_unit(const Scene& scene, const Body& body, const Method& method)
                     sph::wants_mean_dilatation(options, scene.material_of(body).law(scene.plane));
   const double averaged = mean ? (dim == 2 ? 60 : 110) + (scattered ? dim == 2 ? 160 : 520 : 0)
                                : 0;  // gradients, two values, their rows
-  return (dim == 2 ? 1000 : 1200) + projected * rows + averaged + remembered;
+  return (dim == 2 ? 1000 : 1200) + projected * rows + averaged + state;
 }
 
 /// Cells or particles of a body: those of its bounding box times its share of the box's volume.
@@ -57,7 +57,7 @@ double units_of(const Shape& shape, const Method& method, const Resolution& reso
   return count * shape.measure() / box;
 }
 
-/// Bytes in a file that holds a number; infinity if it holds none ("max") or is not there.
+/// The number of bytes that a file states; infinity if it states none ("max") or does not exist.
 double number_in(const std::string& file) {
   std::ifstream in(file);
   double value = 0;
@@ -104,17 +104,18 @@ void refuse_excess(const Scene& scene, const Method& method, const Resolution& r
   const double over = std::max(size.bytes / available, size.units / most_units);
   if (!(over > 1)) return;
   const std::string what = fmt::format(
-      "this {} means about {:.2g} {} and {} of memory; ", resolution.spacing > 0 ? "spacing" : "division",
-      size.units, method.is_fem() ? "elements" : "particles", bytes_text(size.bytes));
+      "this {} gives about {:.2g} {}, which need {} of memory; ",
+      resolution.spacing > 0 ? "spacing" : "division", size.units, method.is_fem() ? "elements" : "particles",
+      bytes_text(size.bytes));
   const std::string limit = size.bytes / available >= size.units / most_units
                                 ? bytes_text(available) + " are available"
-                                : fmt::format("the program counts to {:.1g}", most_units);
+                                : fmt::format("the program supports {:.1g} at most", most_units);
   const double factor = 1.03 * std::pow(over, 1.0 / scene.dim());
-  std::string advice = fmt::format("take {:.2g} times fewer divisions along each side", factor);
+  std::string advice = fmt::format("use {:.2g} times fewer divisions along each side", factor);
   if (resolution.spacing > 0) {
     const double finest = resolution.spacing * factor,
                  digit = std::pow(10, std::floor(std::log10(finest)) - 1);
-    advice = fmt::format("take a spacing of at least {:.2g} mm", 1e3 * digit * std::ceil(finest / digit));
+    advice = fmt::format("use a spacing of at least {:.2g} mm", 1e3 * digit * std::ceil(finest / digit));
   }
   throw std::runtime_error(what + limit + "; " + advice);
 }

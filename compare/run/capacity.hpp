@@ -10,15 +10,15 @@ struct Size {
   double bytes = 0;  ///< at the peak: while particles or mesh are made, or fields are written
 };
 
-/// From the volumes of the shapes and the spacing alone: right in its order of magnitude, not exact.
+/// An estimate of the order of magnitude, from the volumes of the shapes and the spacing.
 Size estimated_size(const Scene& scene, const Method& method, const Resolution& resolution);
 
-/// Bytes that this process can still allocate, by the machine (/proc/meminfo) and the control group that it
-/// runs in. Infinity if neither is known.
+/// Bytes that this process can still allocate: the smaller of what the machine (/proc/meminfo) and the
+/// control group of the process allow. Infinity if neither is known.
 double available_memory();
 
 /// Throws std::runtime_error with the estimate and the finest spacing that fits, if the run needs more than
-/// `available` bytes or more units than indices can count.
+/// `available` bytes or more units than the program supports.
 void refuse_excess(const Scene& scene, const Method& method, const Resolution& resolution,
                    double available = available_memory());
 

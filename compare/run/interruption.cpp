@@ -8,7 +8,7 @@ namespace femsph::compare {
 namespace {
 
 std::atomic<bool> flag{false};
-static_assert(std::atomic<bool>::is_always_lock_free);  // a signal handler may set no other
+static_assert(std::atomic<bool>::is_always_lock_free);  // a signal handler may set no other kind
 
 void set_flag(int) { flag.store(true, std::memory_order_relaxed); }
 

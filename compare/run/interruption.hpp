@@ -12,13 +12,13 @@ class Interrupted : public std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-/// While one of these lives, the first signal sets the flag, and a second one ends the program as usual.
+/// While an object of this class exists, the first signal sets the flag, and a second one ends the program.
 class Interruption {
  public:
   Interruption();
   ~Interruption();
   Interruption(const Interruption&) = delete;
-  bool asked() const;
+  bool asked() const;  ///< whether the flag is set
 };
 
 }  // namespace femsph::compare

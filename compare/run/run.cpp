@@ -44,8 +44,8 @@ double spacing_of(const Shape& shape, const Resolution& resolution) {
     if (const double other = (shape.upper()[a] - shape.lower()[a]) / cells[a];
         std::abs(other - spacing) > 1e-6 * spacing)
       throw Refusal(fmt::format(
-          "SPH has one spacing, and these divisions of the {} mean {:g} mm along {} and {:g} mm "
-          "along y; give a spacing",
+          "SPH has one spacing, and these divisions of the {} give {:g} mm along {} and {:g} mm "
+          "along y; expected a spacing",
           shape.describe(), 1e3 * other, "xyz"[a], 1e3 * spacing));
   return spacing;
 }
@@ -55,7 +55,7 @@ std::unique_ptr<Discretization> discretize(const Scene& scene, std::size_t body,
   const Shape& shape = *scene.bodies[body].shape;
   const bool own_cells = method.is_fem() && shape.cells();
   if (!own_cells && !(resolution.spacing > 0) && resolution.divisions[0] <= 0)
-    throw Refusal("how fine? give a spacing, such as --spacing \"10 mm\"");
+    throw Refusal("no resolution is given; expected a spacing, such as --spacing \"10 mm\"");
   if (method.is_fem()) {
     fem::Options options = std::get<fem::Options>(method.options);
     if (!own_cells) options.divisions = divisions_of(shape, resolution);
@@ -117,9 +117,9 @@ std::vector<std::string> warnings_of(const March& march, const Recorder& recorde
   constexpr double round_off = 1e-9;
   if (recorder.balance().force > round_off)
     all.push_back(fmt::format(
-        "forces do not add up: mass times acceleration, loads and reactions together leave "
-        "{:.2g} of their magnitudes at the worst sample; "
-        "reactions are wrong by as much",
+        "the forces are not in balance: the sum of inertia forces, loads and reactions is {:.2g} of the sum "
+        "of "
+        "their magnitudes in the worst sample; the reactions have an error of this size",
         recorder.balance().force));
   return all;
 }
@@ -176,12 +176,12 @@ RunResult run_scene(const Scene& scene, const Method& method, const Resolution& 
   const double ready = wall_seconds();
   March march(scene, std::move(bodies), options.march);
   march.price().add("setup", ready - start);
-  std::size_t said = 0;
-  const auto say_warnings = [&](const std::vector<std::string>& warnings) {
-    for (; said < warnings.size(); ++said)
-      if (options.warn) options.warn(warnings[said]);
+  std::size_t reported = 0;
+  const auto report_warnings = [&](const std::vector<std::string>& warnings) {
+    for (; reported < warnings.size(); ++reported)
+      if (options.warn) options.warn(warnings[reported]);
   };
-  say_warnings(march.warnings());
+  report_warnings(march.warnings());
   Recorder recorder(march);
   std::unique_ptr<RunOutput> output;
   if (options.folder) output = std::make_unique<RunOutput>(method, options, march, recorder, start_cpu);
@@ -214,7 +214,7 @@ RunResult run_scene(const Scene& scene, const Method& method, const Resolution& 
     if (output) output->try_to_finish(error.what());
     throw;
   }
-  say_warnings(warnings_of(march, recorder));
+  report_warnings(warnings_of(march, recorder));
   if (output) output->finish(outcome_of(march), true);
 
   RunResult r = result_of(march, recorder, conservation);

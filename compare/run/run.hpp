@@ -42,14 +42,14 @@ struct RunOptions {
       {};  ///< which of RunResult::scalars to compute, as some take extra work in every sample
   std::function<void(const std::string&)> warn =
       {};                        ///< called with each warning: before the first step, or once it is known
-  RunResult* partial = nullptr;  ///< a run that stops with a MotionError leaves its results until then here
+  RunResult* partial = nullptr;  ///< where a run that stops with a MotionError leaves its results so far
 };
 
 /// Throws InputError, MotionError, Interrupted (compare/run/interruption.hpp) or std::runtime_error.
 RunResult run_scene(const Scene& scene, const Method& method, const Resolution& resolution,
                     const RunOptions& options);
 
-/// What a run derives from its scene, for people: particles or elements, step, memory, effects.
+/// What a run derives from its scene, as text: particles or elements, step, memory, effects.
 std::vector<std::pair<std::string, std::string>> derived_values(const March& march);
 
 /// The warnings of the time march, and one if forces are not in balance.

@@ -93,7 +93,8 @@ RunOutput::RunOutput(const Method& method, const RunOptions& options, March& mar
   if (from->origin().meshes != origin_.meshes)
     throw InputError(
         from->file(),
-        {Fault{0, 0, "a mesh file of the scene has changed since the run began; put the old one back"}});
+        {Fault{0, 0,
+               "a mesh file of the scene has changed since the run began; expected the file of that time"}});
   from->restore([&](Archive& archive) { state(archive); });
   saved_progress_ = from->origin().progress;
 }

@@ -16,9 +16,9 @@ namespace femsph::compare {
 
 /// DIR/checkpoint.h5
 std::string checkpoint_file(const std::string& folder);
-/// DIR/record.toml is there, and a run has written it.
+/// Whether the folder holds a record.toml that a run has written.
 bool has_record(const std::string& folder);
-/// Of the cells of all bodies that come from mesh files or shapes with cells.
+/// Checksum of the cells of all bodies that have some (mesh files, and shapes made of cells).
 std::uint64_t checksum_of_meshes(const Scene& scene);
 
 class RunOutput {

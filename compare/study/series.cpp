@@ -130,8 +130,8 @@ std::string curves_csv(const SeriesSpec& series, const Study& study, const Study
     for (const FinishedRun* run : runs)
       if (run->plan->scene != runs[0]->plan->scene)
         throw std::runtime_error(
-            "its runs are of several scenes, each with a theory of its own; expected \"scene\", which says "
-            "whose it is");
+            "its runs have several scenes with different theory values; expected \"scene\", which selects "
+            "one");
   if (series.theory && !runs.empty())
     curves.push_back(
         {"theory", theory_values(series, study.scenes.at(series.scene.value_or(runs[0]->plan->scene)), x)});

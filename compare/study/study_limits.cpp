@@ -18,9 +18,9 @@ const LimitSpec* spec_of(const Study& study, const std::string& scene) {
   return study.limit ? &*study.limit : nullptr;
 }
 
-/// Divisions and degree of the coarser forms of a limit, coarse first: a quarter and half of the cells along
-/// every axis that has four or more; without such an axis two degrees less and one. Empty: there is nothing
-/// coarser.
+/// Divisions and degree of two coarser solutions than the limit, coarsest first: a quarter and half of the
+/// cells along every axis that has four or more; without such an axis, the degree less two and less one.
+/// Empty if there is no coarser solution.
 struct Coarser {
   std::array<int, 3> divisions;
   int degree;
@@ -67,7 +67,7 @@ void one_ladder_limit(const Study& study, const QuantitySpec& quantity, const st
     const std::string why =
         !infinite.empty() ? infinite
         : limit           ? fmt::format(
-                                "the finest spacings of {} head for {} with order {:.2f}, which is not that of "
+                                "the finest spacings of {} extrapolate to {} with order {:.2f}, which is not that of "
                                           "convergence ({:g} to {:g})",
                                 label, rounded(limit->limit, 5), limit->order, least_order, greatest_order)
                 : fmt::format(
@@ -133,7 +133,7 @@ std::string doubt_of(const QuantitySpec& quantity, const Scene& scene, const Kno
                             : rounded(one.change, 2);
   };
   return fmt::format(
-      "its refinements change it by {}, then by {}, which does not fall as it would on the way to a limit",
+      "refinement changes it by {}, then by {}: the changes do not decrease as they do towards a limit",
       percent(*first), percent(*second));
 }
 

@@ -101,8 +101,8 @@ std::vector<Row> rows_of(const Study& study, const PlannedRun& run, const RunRes
         if (row.error_vs_limit_percent) row.limit_doubt = doubt_of(quantity, scene, *known);
         if (!row.limit_doubt.empty()) forget_limit(quantity, row);
         if (row.settled == false)
-          row.error_percent =
-              row.error_vs_limit_percent = {};  // a state before settling shows no error of the method
+          row.error_percent = row.error_vs_limit_percent =
+              {};  // the error of a state that has not settled is not that of the method
       } catch (const std::exception& e) {
         row.failure = e.what();
       }
@@ -167,8 +167,8 @@ bool same_numbers(const RunResult& a, const RunResult& b) {
   return true;
 }
 
-/// Repeats every run, for its time alone. A round makes all runs one after another, so that other load on the
-/// machine affects all methods alike.
+/// Repeats every run to measure its time again. A round makes all runs one after another, so that other load
+/// on the machine affects all methods alike.
 void repeat_runs(const Study& study, const Engine& engine, const StudyOptions& options,
                  StudyOutcome& outcome) {
   std::vector<Costs> costs;
@@ -176,14 +176,14 @@ void repeat_runs(const Study& study, const Engine& engine, const StudyOptions& o
     costs.push_back({{run.result.price.cpu}, {run.result.price.total_cpu}});
   for (int round = 2; round <= study.repeat; ++round) {
     if (options.log)
-      options.log(fmt::format("{}: every run again, {} of {}", study.name, round, study.repeat));
+      options.log(fmt::format("{}: all runs again, {} of {}", study.name, round, study.repeat));
     for (std::size_t k = 0; k < outcome.runs.size(); ++k) {
       const FinishedRun& run = outcome.runs[k];
       try {
         const RunResult again = engine.run(study.scenes.at(run.plan->scene), run.plan->method,
                                            run.plan->resolution, options_of(study, *run.plan, options));
         if (!same_numbers(run.result, again))
-          throw std::runtime_error("a second run gave other numbers than the first");
+          throw std::runtime_error("a repeated run gave different results");
         costs[k].march.push_back(again.price.cpu);
         costs[k].total.push_back(again.price.total_cpu);
       } catch (const std::exception& e) {
@@ -204,7 +204,7 @@ void make_run(const Study& study, const PlannedRun& run, const Engine& engine, c
   RunOptions run_options = options_of(study, run, options);
   RunResult partial;
   run_options.partial = &partial;
-  run_options.warn = [&](const std::string& text) {  // once, however many runs give it
+  run_options.warn = [&](const std::string& text) {  // each text once
     if (outcome.warnings.insert(text).second && options.log) options.log("warning: " + text);
   };
   std::optional<RunResult> result;

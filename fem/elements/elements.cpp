@@ -5,6 +5,7 @@
 
 #include "fem/elements/loops.hpp"
 #include "model/input/faults.hpp"
+#include "model/input/lookup.hpp"
 
 namespace femsph::fem {
 
@@ -38,12 +39,7 @@ const std::vector<ElementEntry>& elements() {
 }
 
 const ElementEntry& element_named(const std::string& word) {
-  std::vector<std::string> words;
-  for (const ElementEntry& entry : elements()) {
-    if (entry.word == word) return entry;
-    words.emplace_back(entry.word);
-  }
-  throw Refusal("no element " + in_quotes(word) + "; expected " + one_of(words) + did_you_mean(word, words));
+  return entry_named<Refusal>(elements(), word, &ElementEntry::word, "no element " + in_quotes(word));
 }
 
 std::unique_ptr<CellLoop> make_loop(const std::string& element, const LoopInput& in) {

@@ -4,6 +4,8 @@
 
 #include <algorithm>
 
+#include "model/input/lookup.hpp"
+
 namespace femsph {
 namespace {
 
@@ -24,25 +26,6 @@ std::string message(const std::string& file, const std::vector<Fault>& faults) {
                           : fmt::format("{}: {}", file, fault.text);
   }
   return all;
-}
-
-// Damerau-Levenshtein distance in its "optimal string alignment" form, with three rows of the table of
-// distances of prefixes. It counts the four kinds of errors that most misspellings consist of (F. J. Damerau,
-// Commun. ACM 7 (1964) 171).
-std::size_t edit_distance(std::string_view a, std::string_view b) {
-  std::vector<std::size_t> before(b.size() + 1), last(b.size() + 1), row(b.size() + 1);
-  for (std::size_t j = 0; j <= b.size(); ++j) last[j] = j;
-  for (std::size_t i = 1; i <= a.size(); ++i) {
-    row[0] = i;
-    for (std::size_t j = 1; j <= b.size(); ++j) {
-      row[j] = std::min({last[j] + 1, row[j - 1] + 1, last[j - 1] + (a[i - 1] != b[j - 1])});
-      if (i > 1 && j > 1 && a[i - 1] == b[j - 2] && a[i - 2] == b[j - 1])
-        row[j] = std::min(row[j], before[j - 2] + 1);
-    }
-    before.swap(last);
-    last.swap(row);
-  }
-  return last[b.size()];
 }
 
 }  // namespace
@@ -71,15 +54,7 @@ std::string one_of(const std::vector<std::string>& names) {
 }
 
 std::string did_you_mean(std::string_view word, const std::vector<std::string>& names) {
-  constexpr std::size_t longest = 60, most = 1000;  // limit the cost for arbitrary input
-  if (word.size() > longest || names.size() > most) return "";
-  const std::string* best = nullptr;
-  std::size_t least = std::max<std::size_t>(1, word.size() / 3) + 1;
-  for (const std::string& name : names) {
-    if (name.size() > 2 * longest) continue;
-    const std::size_t distance = edit_distance(word, name);
-    if (distance < least && distance < name.size()) least = distance, best = &name;
-  }
+  const auto best = nearest_name(word, names);
   return best ? fmt::format("; did you mean {}?", in_quotes(*best)) : "";
 }
 

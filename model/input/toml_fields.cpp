@@ -7,6 +7,8 @@
 #include <algorithm>
 #include <stdexcept>
 
+#include "model/input/lookup.hpp"
+
 namespace femsph {
 namespace {
 
@@ -73,6 +75,39 @@ Source Fields::source(std::string_view key) const {
   return node ? source_of(*node) : source();
 }
 
+std::vector<std::string> Fields::stated_keys() const {
+  std::vector<std::string> all;
+  if (!keys_) return all;
+  for (const Key& key : keys_->keys) all.push_back(key.name);
+  for (const Entry& entry : keys_->entries)
+    for (const Key& key : entry.keys) all.push_back(key.name);
+  const std::string below = path_.empty() ? "" : path_ + ".";
+  for (const KeyTable& table : page_->tables)
+    if (const std::string path = table.path(); path.size() > below.size() && path.starts_with(below))
+      all.push_back(path.substr(below.size(), path.find('.', below.size()) - below.size()));
+  return all;
+}
+
+bool Fields::misspelt(std::initializer_list<std::string_view> keys) const {
+  constexpr std::size_t most = 1000;  // limits the cost for arbitrary input
+  if (table_->size() > most) return false;
+  const std::vector<std::string> stated = stated_keys();
+  for (const auto& [given, value] : *table_) {
+    if (std::find(stated.begin(), stated.end(), given.str()) != stated.end()) continue;
+    const auto meant = nearest_name(given.str(), stated);
+    if (meant && !has(*meant) && std::find(keys.begin(), keys.end(), *meant) != keys.end()) return true;
+  }
+  return false;
+}
+
+std::optional<std::size_t> Fields::position_of(const std::string& name, const std::vector<std::string>& known,
+                                               const char* key, const std::string& what) const {
+  const auto found = std::find(known.begin(), known.end(), name);
+  if (found != known.end()) return found - known.begin();
+  fault(key, fmt::format("unknown {} {}{}", what, in_quotes(name), expected_names(name, known)));
+  return {};
+}
+
 void Fields::require_table(const std::string& key, Need need) const {
   if (page_ && page_->at(path_of(key)).required && need != Need::required)
     throw std::logic_error(
@@ -84,7 +119,7 @@ const toml::node* Fields::find(const char* key, Need need, const std::string& ex
   if (!held.empty()) require_stated(key, need, held);
   asked_.emplace_back(key);
   const toml::node* node = table_->get(key);
-  if (!node && need == Need::required && !blind_)
+  if (!node && need == Need::required && !blind_ && !misspelt({key}))
     faults_->add(source(), fmt::format("missing \"{}\"{}; expected {}", key,
                                        name_.empty() ? "" : " in " + name_, expected));
   return node;
@@ -151,17 +186,20 @@ std::vector<std::pair<std::string, Fields>> Fields::named_tables(const char* key
 }
 
 void Fields::accept_rest() {
-  for (const auto& [key, value] : *table_) asked_.emplace_back(key.str());
+  std::vector<std::string> all = stated_keys();
+  if (!keys_)
+    for (const auto& [key, value] : *table_) all.emplace_back(key.str());
+  for (std::string& key : all)
+    if (std::find(asked_.begin(), asked_.end(), key) == asked_.end()) asked_.push_back(std::move(key));
 }
 
 void Fields::done() {
   for (const auto& [key, value] : *table_) {
     const std::string word(key.str());
     if (std::find(asked_.begin(), asked_.end(), word) != asked_.end()) continue;
-    faults_->add(
-        {int(key.source().begin.line), int(key.source().begin.column)},
-        fmt::format("unknown key {}{}; expected {}{}", in_quotes(word), name_.empty() ? "" : " in " + name_,
-                    one_of(asked_), did_you_mean(word, asked_)));
+    faults_->add({int(key.source().begin.line), int(key.source().begin.column)},
+                 fmt::format("unknown key {}{}{}", in_quotes(word), name_.empty() ? "" : " in " + name_,
+                             expected_names(word, asked_)));
   }
 }
 

@@ -10,10 +10,13 @@
 //
 // A function that reads a key returns nothing if the key is absent or faulty. It adds a Fault if the key is
 // faulty, or absent and required. So the caller continues with the rest of the file, and no fault is reported
-// twice. Reading a key that the description of the table (keys.hpp) does not contain throws std::logic_error.
+// twice: of a required key that is misspelt, done() alone says something. Every path must come to done(), or
+// to a fault that it adds itself. Reading a key that the description of the table (keys.hpp) does not contain
+// throws std::logic_error.
 
 #include <toml++/toml.h>
 
+#include <initializer_list>
 #include <optional>
 #include <string>
 #include <utility>
@@ -40,9 +43,17 @@ class Fields {
   Source source(std::string_view key) const;  ///< position of the value; of the table if the key is absent
   bool has(std::string_view key) const { return table_->contains(key); }
   bool holds_table(std::string_view key) const { return has(key) && table_->get(key)->is_table(); }
+  /// Whether the table lacks one of these keys, and has an unknown key that is most similar to it. done()
+  /// reports that one with "did you mean", so that a message about the key that is missing would be a second
+  /// one about the same error. False for a table without a description.
+  bool misspelt(std::initializer_list<std::string_view> keys) const;
   void fault(std::string_view key, std::string text) const {
     if (!blind_) faults_->add(source(key), std::move(text));
   }
+  /// The position of `name`, which stands at `key`, in `known`. If it is not there: nothing, and a fault
+  /// "unknown WHAT NAME; expected ..; did you mean".
+  std::optional<std::size_t> position_of(const std::string& name, const std::vector<std::string>& known,
+                                         const char* key, const std::string& what) const;
 
   std::optional<std::string> text(const char* key, Need need,
                                   const std::string& expected = "a text in quotes");
@@ -81,13 +92,16 @@ class Fields {
 
   /// Accepts a key with any value, where a fault elsewhere makes it impossible to check it.
   void accept(const char* key) { asked_.emplace_back(key); }
-  /// Accepts all keys, where a fault elsewhere makes it impossible to check them.
+  /// Accepts all keys that the description of the table has (without one: all keys), where another fault
+  /// makes it impossible to check them. done() still reports the others.
   void accept_rest();
   /// Adds a fault for every key of the table that has not been read.
   void done();
 
  private:
   Fields(const toml::table& table, std::string name, const Fields& parent, const std::string& path);
+  /// All keys that the description of the table has, those of its tables included.
+  std::vector<std::string> stated_keys() const;
   std::string path_of(const std::string& key) const { return path_.empty() ? key : path_ + "." + key; }
   /// Throws std::logic_error unless the description of the table contains `key` with this need, and with all
   /// texts of `held` in Key::holds.

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "model/input/lookup.hpp"
 #include "model/input/toml_fields.hpp"
 
 namespace femsph {
@@ -210,8 +211,7 @@ std::optional<std::size_t> Fields::choose(const char* key, Need need, const std:
   if (!word) return {};
   const auto found = std::find(words.begin(), words.end(), *word);
   if (found != words.end()) return found - words.begin();
-  fault(key, fmt::format("\"{}\" is {}; expected {}{}", key, in_quotes(*word), one_of(words),
-                         did_you_mean(*word, words)));
+  fault(key, fmt::format("\"{}\" is {}{}", key, in_quotes(*word), expected_names(*word, words)));
   return {};
 }
 

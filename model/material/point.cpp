@@ -8,6 +8,7 @@
 #include <sstream>
 
 #include "model/input/faults.hpp"
+#include "model/input/lookup.hpp"
 #include "model/material/kinematics.hpp"
 #include "model/material/laws/point_stress.hpp"
 
@@ -67,8 +68,8 @@ std::vector<int> columns_of(const std::vector<std::string>& header, const std::s
     const auto found = std::find(known.begin(), known.end(), header[k]);
     if (found == known.end())
       refuse(file, 1, int(k) + 1,
-             fmt::format("column {} of the path is {}; expected {}{}", k + 1, in_quotes(header[k]),
-                         one_of(known), did_you_mean(header[k], known)));
+             fmt::format("column {} of the path is {}{}", k + 1, in_quotes(header[k]),
+                         expected_names(header[k], known)));
     const int column = path_components(plane)[std::size_t(found - known.begin())];
     if (std::count(columns.begin(), columns.end(), column))
       refuse(file, 1, int(k) + 1, fmt::format("column {} is given twice", in_quotes(header[k])));

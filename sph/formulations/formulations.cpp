@@ -2,6 +2,7 @@
 // (sph/options.hpp); here its function is declared and called.
 
 #include "model/input/faults.hpp"
+#include "model/input/lookup.hpp"
 #include "sph/formulations/discretize.hpp"
 
 namespace femsph::sph {
@@ -20,13 +21,8 @@ const std::vector<Formulation>& formulations() {
 }
 
 const Formulation& formulation_named(const std::string& word) {
-  std::vector<std::string> words;
-  for (const Formulation& formulation : formulations()) {
-    if (formulation.word == word) return formulation;
-    words.emplace_back(formulation.word);
-  }
-  throw Refusal(
-      "no SPH formulation " + in_quotes(word) + "; expected " + one_of(words) + did_you_mean(word, words));
+  return entry_named<Refusal>(
+      formulations(), word, &Formulation::word, "no SPH formulation " + in_quotes(word));
 }
 
 }  // namespace femsph::sph

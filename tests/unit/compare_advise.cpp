@@ -55,7 +55,7 @@ TEST_F(Advise, LeastTimeForAnError) {
   EXPECT_TRUE(advice.both_kinds);
   EXPECT_FALSE(advice.methods[2].meets);
   EXPECT_FALSE(advice.choices[2]) << "classic SPH goes elsewhere";
-  EXPECT_THAT(advice.why_not[2], HasSubstr("head for an error of +20 %"));
+  EXPECT_THAT(advice.why_not[2], HasSubstr("extrapolate to an error of +20 %"));
   // 0.09 % = 1000 d^2 %: d = 9.49 mm; 100 mm over 11 is 9.09.
   EXPECT_EQ(advice.best->divisions, 11);
   EXPECT_NEAR(advice.best->cpu, 1e-6 / std::pow(0.1 / 11, 3), 0.02);

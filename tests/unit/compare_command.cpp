@@ -124,12 +124,12 @@ TEST(Command, AnOptionWithoutEffectIsRefused) {
   EXPECT_EQ(of_method("sph", "mass", "full"),
             "");  // the mass of boundary particles is a choice there too
   const Scene cell = one_cell(), box = cantilever();
-  EXPECT_EQ(
-      of_resolution(cell, "fem", "10 mm", {}),
-      "--spacing does nothing with fem-full: every body of cell.toml that deforms brings its own cells");
-  EXPECT_EQ(
-      of_resolution(cell, "fem", {}, {4, 4}),
-      "--divisions does nothing with fem-full: every body of cell.toml that deforms brings its own cells");
+  EXPECT_EQ(of_resolution(cell, "fem", "10 mm", {}),
+            "--spacing does nothing with fem-full: the cells of every deformable body of cell.toml come from "
+            "its shape");
+  EXPECT_EQ(of_resolution(cell, "fem", {}, {4, 4}),
+            "--divisions does nothing with fem-full: the cells of every deformable body of cell.toml come "
+            "from its shape");
   EXPECT_EQ(of_resolution(cell, "fem", {}, {}), "");
   EXPECT_EQ(of_resolution(cell, "sph", "10 mm", {}), "");
   Scene both = cell;
@@ -139,9 +139,10 @@ TEST(Command, AnOptionWithoutEffectIsRefused) {
 
 TEST(Command, ResolutionsAreOneAxisANumber) {
   const Scene scene = cantilever();  // 1 m x 0.1 m
-  EXPECT_EQ(of_resolution(scene, "fem", {}, {}), "how fine? give a spacing, such as --spacing \"10 mm\"");
+  EXPECT_EQ(of_resolution(scene, "fem", {}, {}),
+            "no resolution is given; expected a spacing, such as --spacing \"10 mm\"");
   EXPECT_EQ(of_resolution(scene, "fem", "10 mm", {100, 10}),
-            "--spacing and --divisions both say how fine; give one of them");
+            "both --spacing and --divisions are given; expected one of them");
   EXPECT_THAT(of_resolution(scene, "fem", "-10 mm", {}), HasSubstr("expected a length above zero"));
   EXPECT_THAT(of_resolution(scene, "fem", "nan mm", {}), HasSubstr("--spacing \"nan mm\""));
   EXPECT_THAT(of_resolution(scene, "fem", {}, {100}),

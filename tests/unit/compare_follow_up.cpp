@@ -9,7 +9,7 @@ namespace femsph::compare {
 namespace {
 
 using namespace test;  // of compare_support.hpp
-using ::testing::AllOf, ::testing::HasSubstr, ::testing::Not, ::testing::StartsWith;
+using ::testing::AllOf, ::testing::EndsWith, ::testing::HasSubstr, ::testing::Not, ::testing::StartsWith;
 
 /// Everything in it refers to the runs, to the scene or to the quantity.
 const std::string good = R"(title = "A study"
@@ -80,6 +80,38 @@ TEST_F(StudyFollowUp, OfRuns) {
             "\"cases\" is a text; expected a list of names, one for each spacing or division");
   EXPECT_THAT(said("quick = [\"a\"]", "quick = [\"a\"]\noptions = {hourglas = 1}"),
               AllOf(HasSubstr("unknown key \"hourglas\""), Not(HasSubstr(" | "))));
+}
+
+TEST_F(StudyFollowUp, OfAMisspeltKey) {
+  for (const auto& [key, text] : scene_text::with_a_key_misspelt(good)) {
+    const std::string message = said(good, text), wrong = key[0] + key;
+    EXPECT_THAT(message, StartsWith("unknown key \"" + wrong + "\""));
+    EXPECT_THAT(message, EndsWith("did you mean \"" + key + "\"?"));
+    EXPECT_THAT(message, Not(HasSubstr(" | ")));
+  }
+}
+
+TEST_F(StudyFollowUp, OfAMisspeltTable) {
+  for (const std::string table : {"[[runs]]", "[[quantities]]", "[[bounds]]"}) {
+    const std::string wrong = "[[" + table.substr(2, 1) + table.substr(2);
+    EXPECT_THAT(said(table, wrong),
+                AllOf(StartsWith("unknown key"), HasSubstr("did you mean"), Not(HasSubstr(" | "))));
+  }
+}
+
+// The keys that a kind of series or a reduction needs are not known when its word is wrong.
+TEST_F(StudyFollowUp, OfAWrongWord) {
+  EXPECT_THAT(said("kind = \"error\"", "kind = \"errors\""),
+              AllOf(StartsWith("\"kind\" is \"errors\""), Not(HasSubstr(" | "))));
+  EXPECT_THAT(said("kind = \"below\"", "kind = \"belw\""),
+              AllOf(StartsWith("\"kind\" is \"belw\""), Not(HasSubstr(" | "))));
+  EXPECT_THAT(said("unit = \"mm\"", "unit = \"mm\"\nreduce = \"integrl\""),
+              AllOf(StartsWith("\"reduce\" is \"integrl\""), Not(HasSubstr(" | "))));
+}
+
+TEST_F(StudyFollowUp, OfAMissingQuantity) {
+  EXPECT_THAT(said("[[price]]\nname = \"tip\"\nquantity = \"tip\"", "[[price]]\nname = \"tip\""),
+              AllOf(StartsWith("missing \"quantity\" in [[price]]"), Not(HasSubstr(" | "))));
 }
 
 TEST_F(StudyFollowUp, OfAScene) {

@@ -77,10 +77,10 @@ TEST(PricedLadder, AChangeOfSignAtTheFinestSpacingIsNoConvergence) {
 // An error of 6 d - 2 percent: it passes through zero and tends to -2.
 TEST(PricedLadder, AnErrorThatPassesThroughZeroCountsByItsLimit) {
   const PricedLadder l = ladder({{2, 10}, {1, 4}, {0.5, 1}});
-  EXPECT_NEAR(*l.heading(), -2, 1e-9);
+  EXPECT_NEAR(*l.error_at_zero(), -2, 1e-9);
   EXPECT_NEAR(l.credited().back(), 2, 1e-9);
   EXPECT_EQ(l.cost_of(1.5).basis, Basis::not_reached);
-  EXPECT_THAT(l.cost_of(1.5).reason, HasSubstr("head for an error of -2 %"));
+  EXPECT_THAT(l.cost_of(1.5).reason, HasSubstr("extrapolate to an error of -2 %"));
 }
 
 // An error of 2 + d^2 percent: it falls at first and tends to 2.
@@ -88,7 +88,7 @@ TEST(PricedLadder, AnotherLimitIsReported) {
   const PricedLadder l = ladder({{8, 66}, {4, 18}, {2, 6}, {1, 3}});
   const auto cost = l.cost_of(0.5);
   EXPECT_EQ(cost.basis, Basis::not_reached);
-  EXPECT_THAT(cost.reason, HasSubstr("head for an error of +2 %, not for zero"));
+  EXPECT_THAT(cost.reason, HasSubstr("extrapolate to an error of +2 %, not to zero"));
 }
 
 TEST(PricedLadder, RefusesWhatItCannotKnow) {

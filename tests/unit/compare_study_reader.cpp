@@ -162,8 +162,9 @@ TEST_F(StudyReader, FaultsInPaperAndClaims) {
   EXPECT_THAT(message(replaced(good_study, "method = \"fem-full\", quantity",
                                "method = \"sph-corrected smoothing=1.2 kernel=wendland-c2\", quantity")),
               HasSubstr("no run of the study gives 1_1 sph-corrected"));
-  EXPECT_THAT(message(replaced(good_study, "bound = 10", "bond = 10")),
-              AllOf(HasSubstr("missing \"bound\""), HasSubstr("did you mean \"bound\"?")));
+  EXPECT_EQ(message(replaced(good_study, "bound = 10", "bond = 10")),
+            "study.toml:44:1: unknown key \"bond\" in [[claims]]; expected \"id\", \"source\", \"text\", "
+            "\"note\", \"reference\", \"kind\", \"rows\" or \"bound\"; did you mean \"bound\"?");
 }
 
 TEST_F(StudyReader, CollectsItsNeighbours) {

@@ -42,7 +42,8 @@ TEST_F(StudySweep, Windows) {
   EXPECT_EQ(faults(tip("reduce = \"mean\"\nwindow = [\"0 ms\", \"50 ms\"]\n")), "");
   EXPECT_THAT(
       faults(tip("reduce = \"mean\"\nwindow = [\"40 ms\", \"60 ms\"]\n")),
-      HasSubstr("\"window\" goes on to 60 ms, and scene.toml to 50 ms; expected a window within the run"));
+      HasSubstr(
+          "\"window\" ends at 60 ms, and the run of scene.toml at 50 ms; expected a window within the run"));
   EXPECT_THAT(
       faults(inner(
           "component = \"xx\"\nunit = \"MPa\"\nreduce = \"fibre_upper\"\nwindow = [\"0 ms\", \"50 ms\"]\n")),

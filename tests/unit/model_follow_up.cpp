@@ -1,5 +1,6 @@
 // One fault gives one message: what refers to something faulty adds none.
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include "model_faults.hpp"
@@ -50,6 +51,41 @@ gradient = [[0, 0], [0, 1e-3]]
     probe("p", "stress", "20 20 mm", of_body("block")) +
     section("s", "strain", "10 10 mm", "20 10 mm", of_body("block")) + scene_text::time("1 ms");
 
+/// Keys that the scene above lacks.
+const std::string plastic =
+    model("strain", large_motion) + plastic_steel("tension = \"sign\"\ntensile_strength = \"10 MPa\"\n") +
+    material("metal", "plastic", "210 GPa", "0.3", "7850 kg/m^3", "yield = \"300 MPa\"\n") +
+    R"toml([materials.metal.johnson_cook]
+B = "400 MPa"
+n = 0.3
+melting = "1800 K"
+m = 1.0
+room = "300 K"
+heat_capacity = "450 J/(kg K)"
+)toml" +
+    box("block", "40 40 mm", thick("1 mm")) +
+    "[bodies.ram]\nshape = \"disc\"\ncentre = [\"20 mm\", \"50 mm\"]\nradius = \"9 mm\"\nrigid = true\n"
+    "density = \"7850 kg/m^3\"\nthickness = \"1 mm\"\n" +
+    R"([[supports]]
+body = "block"
+at = "y-"
+fix = ["x", "y"]
+velocity = ["0 m/s", "1 m/s"]
+history = {ramp = "1 ms"}
+[[initial]]
+body = "ram"
+velocity = ["0 m/s", "-1 m/s"]
+[gravity]
+acceleration = ["0 m/s^2", "-9.81 m/s^2"]
+[damping]
+rate = "1 1/s"
+)" + section("s", "strain", "10 10 mm", "20 10 mm", of_body("block")) +
+    scene_text::time("1 ms");
+
+const std::string to_settle = clamped_beam("100 10 mm", "10 mm") + "[gravity]\n" +
+                              "acceleration = [\"0 m/s^2\", \"-9.81 m/s^2\"]\n" + settling("damping") +
+                              scene_text::time("1 ms");
+
 /// All messages about a scene, without places.
 std::string said(const std::string& text) { return test::faults_of(text, " | "); }
 
@@ -99,7 +135,15 @@ TEST(FollowUp, OfAMaterial) {
             "\"young\" is a plain number; expected a pressure with its unit, such as \"210 GPa\"");
 }
 
+TEST(FollowUp, OfATensionRule) {
+  EXPECT_EQ(said(replaced(plastic, "tension = \"sign\"", "tension = \"sgin\"")),
+            "\"tension\" is \"sgin\"; expected \"none\", \"sign\" or \"principal\"; did you mean \"sign\"?");
+}
+
 TEST(FollowUp, OfTheModel) {
+  EXPECT_EQ(said(replaced(replaced(good, "plane = \"strain\"", "plane = \"strain\"\nmoton = \"large\""),
+                          "law = \"elastic\"", "law = \"neo-hookean\"")),
+            "unknown key \"moton\" in [model]; expected \"plane\" or \"motion\"; did you mean \"motion\"?");
   EXPECT_EQ(
       said(replaced(good, "plane = \"strain\"", "plane = \"strains\"")),
       "\"plane\" is \"strains\"; expected \"stress\", \"strain\" or \"none\"; did you mean \"strain\"?");
@@ -120,6 +164,40 @@ TEST(FollowUp, OfAPlace) {
   EXPECT_EQ(said(replaced(good, "at = \"x+\"\n", "")),
             "missing \"at\" in [[loads]]; expected at = \"x-\" (sides, or \"all\") or point = [..] (the "
             "nearest point)");
+}
+
+// Required keys, keys of which one must be given, and keys that others depend on. Keys of one letter are
+// similar to none.
+TEST(FollowUp, OfAMisspeltKey) {
+  for (const std::string& scene : {good, plastic, to_settle}) {
+    ASSERT_EQ(said(scene), "");
+    for (const auto& [key, text] : with_a_key_misspelt(scene)) {
+      if (key.size() == 1) continue;
+      const std::string message = said(text), wrong = key[0] + key;
+      EXPECT_THAT(message, ::testing::StartsWith("unknown key \"" + wrong + "\""));
+      EXPECT_THAT(message, ::testing::EndsWith("did you mean \"" + key + "\"?"));
+      EXPECT_THAT(message, ::testing::Not(::testing::HasSubstr(" | ")));
+    }
+  }
+}
+
+TEST(FollowUp, OfAMisspeltTable) {
+  const auto expect_one = [](const std::string& message, const std::string& key) {
+    EXPECT_THAT(message, ::testing::StartsWith("unknown key"));
+    EXPECT_THAT(message, ::testing::EndsWith("did you mean \"" + key + "\"?"));
+    EXPECT_THAT(message, ::testing::Not(::testing::HasSubstr(" | ")));
+  };
+  expect_one(said(replaced(good, "[time]", "[tiem]")), "time");
+  expect_one(said(replaced(to_settle, "[gravity]", "[gravty]")), "gravity");
+  expect_one(said(replaced(plastic, "[materials.metal.johnson_cook]", "[materials.metal.johnsoncook]")),
+             "johnson_cook");
+}
+
+// A key that is missing and one that is unknown, not similar: two faults.
+TEST(FollowUp, AnUnknownKeyHidesNoOther) {
+  EXPECT_EQ(said(replaced(good, "duration = ", "\"the end\" = ")),
+            "missing \"duration\" in [time]; expected a time with its unit, such as \"50 ms\" | unknown key "
+            "\"the end\" in [time]; expected \"duration\", \"samples\" or \"snapshots\"");
 }
 
 TEST(FollowUp, OfAProbe) {

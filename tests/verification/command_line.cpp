@@ -153,7 +153,7 @@ TEST_F(CommandLine, ARunDoesNotWriteOverAnotherScene) {
   const Outcome o = run_femsph(
       "run " + path("bar.toml") + " --solver fem --spacing '5 mm' --no-fields --out " + path("other"));
   EXPECT_EQ(o.code, 2) << o.text;
-  EXPECT_THAT(o.text, HasSubstr("there is a scene.toml that no run has put there"));
+  EXPECT_THAT(o.text, HasSubstr("it holds a scene.toml that is not from a run"));
   EXPECT_EQ(read("other/scene.toml"), "# another\n" + text);
   EXPECT_EQ(read("other/history.csv"), "mine");
 }

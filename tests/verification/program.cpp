@@ -42,7 +42,7 @@ TEST(Program, MissingSceneAndWrongOptionsAreExplained) {
               HasSubstr("did you mean \"fem-full\"?"));
   EXPECT_THAT(
       run_femsph("run " + scene + " --solver fem --spacing '10 N' --out x").text, HasSubstr("a length"));
-  EXPECT_THAT(run_femsph("run " + scene + " --solver fem --out x").text, HasSubstr("how fine?"));
+  EXPECT_THAT(run_femsph("run " + scene + " --solver fem --out x").text, HasSubstr("no resolution is given"));
   EXPECT_THAT(run_femsph("run " + scene + " --solver fem --spacing '10 mm' --smoothing 1.2 --out x").text,
               HasSubstr("an option of SPH"));
   EXPECT_EQ(run_femsph("").code, 2);
@@ -86,7 +86,7 @@ TEST(Program, AdviceIsAskedForWithOneOfTwoOptions) {
 TEST(Program, AnUnwritableFolderIsOneMessage) {
   const Outcome o = run_femsph("run " + scene + " --solver fem --spacing '20 mm' --out " + scene + "/inside");
   EXPECT_EQ(o.code, 4);
-  EXPECT_THAT(o.text, HasSubstr("cannot make the folder"));
+  EXPECT_THAT(o.text, HasSubstr("cannot create the folder"));
 }
 
 }  // namespace

@@ -186,7 +186,7 @@ TEST(Capacity, TheEstimateIsRefusedWithASpacingThatFits) {
       said = error.what();
     }
     EXPECT_THAT(said, AllOf(HasSubstr("this spacing means about 1e+12"),
-                            HasSubstr(" PB of memory; 16 GB are available; take a spacing of at least ")));
+                            HasSubstr(" PB of memory; 16 GB are available; use a spacing of at least ")));
     double advised = 0;
     ASSERT_EQ(std::sscanf(said.substr(said.find("at least ")).c_str(), "at least %lf mm", &advised), 1)
         << said;

@@ -26,7 +26,7 @@ double bar_displacement(const LoadedBox& bar, double x) {
   return bar.force[0] * x / (bar.young * bar.area());
 }
 
-/// 4 L/c: the wave runs to the held end and back twice until the motion repeats.
+/// 4 L/c, s: until the motion repeats, the wave runs to the held end and back twice.
 double bar_period(const LoadedBox& bar) {
   need_undamped(bar, "bar");
   return 4 * bar.length / bar_wave_speed(bar);
@@ -39,11 +39,11 @@ double bar_end_history(const LoadedBox& bar, double time) {
   return 2 * bar_displacement(bar, bar.length) * (phase < 0.5 ? 2 * phase : 2 - 2 * phase);
 }
 
-/// Step load: the front F/A raises the stress at x, its reflection at the held end doubles it, and the
-/// reflections at the loaded end take both back.
+/// Step load: the front raises the stress at x by F/A, its reflection at the held end raises it again, and
+/// the reflections at the loaded end remove both.
 double bar_stress_history(const LoadedBox& bar, double x, double time) {
   need_step(bar, bar_stress(bar), "bar");
-  // Fronts pass x at (L - x), (L + x), (3 L - x), (3 L + x) over c: up, up, down, down.
+  // Fronts pass x at the times (L - x)/c and (L + x)/c (stress up), (3 L - x)/c and (3 L + x)/c (down).
   const double way = std::fmod(time, bar_period(bar)) * bar_wave_speed(bar), L = bar.length;
   const int level = (way >= L - x) + (way >= L + x) - (way >= 3 * L - x) - (way >= 3 * L + x);
   return level * bar.force[0] / bar.area();
@@ -74,7 +74,7 @@ std::vector<Theory> bar_values() {
       bar("bar_displacement_history", "m",
           "triangle of period 4 L/c between 0 and 2 F L/(E A), of the loaded end", Depends::on_time,
           [](const B& b, double, double, double t) { return bar_end_history(b, t); }),
-      bar("bar_stress_history", "Pa", "fronts of F/A that start at the loaded end",
+      bar("bar_stress_history", "Pa", "steps of F/A, carried by the wave fronts that start at the loaded end",
           Depends::on_place_and_time,
           [](const B& b, double x, double, double t) { return bar_stress_history(b, x, t); }),
   };

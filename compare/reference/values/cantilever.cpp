@@ -28,7 +28,7 @@ double cantilever_stress(const LoadedBox& beam, double x, double y) {
   return -beam.force[1] * (beam.length - x) * y / beam.inertia();
 }
 
-/// At the upper side of the held face, Pa.
+/// The stress at the upper edge of the held face, Pa.
 double root_stress(const LoadedBox& beam) { return cantilever_stress(beam, 0, beam.height / 2); }
 
 LoadedBox cantilever_of(const Scene& scene) {
@@ -52,7 +52,7 @@ double cantilever_frequency(const LoadedBox& beam, int n = 1) {
 //   tip(t)  = P L^3/(3 E I)  sum_n 12/b_n^4 (1 - cos omega_n t)
 //   root(t) = P L            sum_n 4 (-1)^(n+1)/b_n^2 (1 - cos omega_n t)
 
-constexpr int modes = 10;  // the tenth adds 2e-5 of the tip's motion and 0.5 % of the moment at the root
+constexpr int modes = 10;  // the tenth mode adds 2e-5 of the tip's motion and 0.5 % of the moment at the root
 
 double cantilever_tip_history(const LoadedBox& beam, double time) {
   need_step(beam, root_stress(beam), "cantilever");
@@ -77,10 +77,10 @@ double cantilever_root_moment_history(const LoadedBox& beam, double time) {
   return sum * beam.force[1] * beam.length;
 }
 
-/// The value of largest magnitude within the scene's duration, with its sign, of 2000 samples a period or
-/// more.
+/// The value of the largest magnitude within the scene's duration, with its sign, from at least 2000 samples
+/// per period.
 double extreme(double duration, double longest_period, const std::function<double(double)>& history) {
-  if (duration <= 0) throw std::runtime_error("the peak of a response needs a scene with a duration");
+  if (duration <= 0) throw std::runtime_error("the peak of a response needs a duration above 0");
   const int count = std::max(2000, int(2000 * duration / longest_period));
   double peak = 0;
   for (int i = 0; i <= count; ++i) {
@@ -103,7 +103,7 @@ double cantilever_root_moment_peak(const LoadedBox& beam) {
 }  // namespace
 
 double cantilever_eigenvalue(int n) {
-  double b = (2 * n - 1) * std::numbers::pi / 2;  // the limit of large n; Newton needs four turns for n = 1
+  double b = (2 * n - 1) * std::numbers::pi / 2;  // exact for large n; then Newton's method
   for (int turn = 0; turn < 8; ++turn) {
     const double sech = 1 / std::cosh(b);
     b += (std::cos(b) + sech) / (std::sin(b) + sech * std::tanh(b));
@@ -130,13 +130,14 @@ std::vector<Theory> cantilever_values() {
                  [](const B& b, double x, double y, double) { return cantilever_stress(b, x, y) / b.young; }),
       cantilever("cantilever_frequency", "Hz", "1.875104^2/(2 pi L^2) sqrt(E I/(rho A))", Depends::on_nothing,
                  [](const B& b, double, double, double) { return cantilever_frequency(b); }),
-      cantilever("cantilever_tip_history", "m", "step response as a sum of ten modes", Depends::on_time,
+      cantilever("cantilever_tip_history", "m", "response to a step load, as a sum of ten modes",
+                 Depends::on_time,
                  [](const B& b, double, double, double t) { return cantilever_tip_history(b, t); }),
       cantilever(
           "cantilever_tip_peak", "m",
           "largest magnitude of cantilever_tip_history within the scene's duration", Depends::on_nothing,
           [](const B& b, double, double, double) { return cantilever_tip_peak(b); }),
-      cantilever("cantilever_root_moment_history", "N m", "step response as a sum of ten modes",
+      cantilever("cantilever_root_moment_history", "N m", "response to a step load, as a sum of ten modes",
                  Depends::on_time,
                  [](const B& b, double, double, double t) { return cantilever_root_moment_history(b, t); }),
       cantilever("cantilever_root_moment_peak", "N m", "largest magnitude of it within the scene's duration",

@@ -1,5 +1,6 @@
-// A bar of linear hardening that flies along x onto its held end x-: the plateau behind the plastic front by
-// the theory of one-dimensional elastic-plastic waves of von Karman and Duwez (J. Appl. Phys. 21, 1950).
+// Impact of a bar with linear hardening on a rigid wall: the bar moves along -x, and its end x- is held.
+// Stress and strain behind the plastic front, by the theory of one-dimensional elastic-plastic waves of
+// von Karman and Duwez (J. Appl. Phys. 21, 1950).
 
 #include <fmt/format.h>
 
@@ -12,7 +13,7 @@ namespace femsph::compare {
 namespace {
 
 struct Impact {
-  double speed;                  ///< V, m/s, towards the held end > 0
+  double speed;                  ///< V, m/s; > 0 towards the held end
   double young, density, yield;  ///< Pa, kg/m^3, Pa
   double tangent;                ///< Et = E H/(E + H), Pa
   double stress() const;         ///< rho c V below V_y = yield/(rho c), else yield + rho c_p (V - V_y), with
@@ -34,8 +35,8 @@ double Impact::strain() const {
 Impact impact_of(const Scene& scene) {
   const auto refuse_impact = [](const std::string& why) {
     throw std::runtime_error(
-        "impact theory needs one box of linear hardening that flies along x onto its held end x-, in plane "
-        "stress or in space, but " +
+        "impact theory needs one box with linear hardening that moves along -x and is held on x-, in plane "
+        "stress or in three dimensions, but " +
         why);
   };
   if (const std::string why = not_one_box(scene, true); !why.empty()) refuse_impact(why);
@@ -43,7 +44,7 @@ Impact impact_of(const Scene& scene) {
   if (!m.plasticity()) refuse_impact("its material is elastic");
   if (m.plasticity()->johnson_cook) refuse_impact("its material hardens by Johnson-Cook, not linearly");
   if (scene.plane == Plane::strain)
-    refuse_impact("this scene is in plane strain, where no bar is free to widen");
+    refuse_impact("this scene is in plane strain, in which a bar cannot widen");
   if (!scene.loads.empty()) refuse_impact("this scene has loads");
   if (scene.damping || scene.settling) refuse_impact("this scene has damping");
   if (scene.initial_velocities.size() != 1)

@@ -16,7 +16,7 @@ bool on_plane(const Place& place, double x, double length) {
   return place.point && std::abs((*place.point)[0] - x) <= 1e-9 * length;
 }
 
-/// The middle of a place: where the resultant of a force that is spread over it acts.
+/// The middle of a place, m: the point where the resultant of a force that is spread over it acts.
 Point middle_of(const Place& place, const Shape& shape) {
   if (place.point) return *place.point;
   Point lower = shape.lower(), upper = shape.upper(), middle;
@@ -33,7 +33,7 @@ Point middle_of(const Place& place, const Shape& shape) {
   return middle;
 }
 
-// The whole face x- is held along x, and some of it along y.
+// The whole face x- must be held along x, and a part of it along y.
 void check_supports(const Scene& scene, const LoadedBox& box, const std::string& theory) {
   bool along_x = false, along_y = false;
   for (const Support& support : scene.supports) {
@@ -48,7 +48,8 @@ void check_supports(const Scene& scene, const LoadedBox& box, const std::string&
   if (!along_y) refuse_theory(theory, "nothing holds it along y");
 }
 
-/// Adds the moment of a force that acts at `arm` from the middle of x+: it would bend or twist the box.
+/// Adds the moment of a force that acts at `arm` from the middle of x+. A total moment would bend or twist
+/// the box, which the theories leave out.
 void add_moment(const Point& arm, const Point& force, Point& moment) {
   for (int c = 0; c < 3; ++c) {
     const int a = (c + 1) % 3, b = (c + 2) % 3;
@@ -69,13 +70,13 @@ bool names_side(const Place& place, const std::string& side) {
 
 std::string not_one_box(const Scene& scene, bool moving) {
   if (scene.bodies.size() != 1) return fmt::format("this scene has {} bodies", scene.bodies.size());
-  if (!scene.bodies[0].shape->is_box()) return "this body is no box";
+  if (!scene.bodies[0].shape->is_box()) return "this body is not a box";
   if (scene.bodies[0].rigid) return "this body is rigid";
   if (scene.gravity) return "this scene has gravity";
   if (!moving && !scene.initial_velocities.empty()) return "this scene has an initial velocity";
   if (!scene.initial_displacements.empty()) return "this scene has an initial displacement";
   if (!scene.symmetries.empty()) return "this scene has a plane of symmetry";
-  if (!scene.bars.empty()) return "this body has bars in it";
+  if (!scene.bars.empty()) return "this body has reinforcing bars";
   const Material& m = scene.material_of(scene.bodies[0]);
   if (!m.is_linear_elastic() && !m.plasticity()) return "its material is " + m.entry().name;
   return "";
@@ -118,7 +119,7 @@ LoadedBox loaded_box(const Scene& scene, const std::string& theory) {
   }
   for (const double m : moment)
     if (std::abs(m) > 1e-9 * largest * (box.height + box.width))
-      refuse_theory(theory, "the loads turn x+ about its middle");
+      refuse_theory(theory, "the loads have a moment about the middle of x+");
   return box;
 }
 
@@ -131,19 +132,18 @@ bool only_along(const Point& force, int axis) {
 
 void need_elastic(const LoadedBox& box, double stress, const std::string& theory) {
   if (std::abs(stress) > box.yield)
-    refuse_theory(
-        theory, fmt::format("the load takes it to {:.4g} MPa, beyond its yield stress of {:.4g} MPa",
-                            std::abs(stress) / 1e6, box.yield / 1e6));
+    refuse_theory(theory, fmt::format("its stress reaches {:.4g} MPa, above its yield stress of {:.4g} MPa",
+                                      std::abs(stress) / 1e6, box.yield / 1e6));
 }
 
 void need_undamped(const LoadedBox& box, const std::string& theory) {
-  if (box.damped) refuse_theory(theory, "this scene has damping, and the motion is known without it");
+  if (box.damped) refuse_theory(theory, "this scene has damping, and the theory has none");
 }
 
 void need_step(const LoadedBox& box, double static_stress, const std::string& theory) {
   if (!box.step)
     refuse_theory(
-        theory, "its load is no step: the response to a step in time is known, to another history not");
+        theory, "its load is not a step: the theory is for a load that acts in full from the start");
   need_undamped(box, theory);
   need_elastic(box, 2 * static_stress, theory);
 }

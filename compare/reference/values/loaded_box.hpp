@@ -1,6 +1,6 @@
 #pragma once
-// What the theory of bars and of cantilevers needs of a scene: one box that is held on its face x- and loaded
-// on its face x+. SI units, signs as in the scene.
+// The data that the theories of bars and of cantilevers take from a scene: one box that is held on its face
+// x- and loaded on its face x+. SI units, signs as in the scene.
 
 #include <functional>
 #include <limits>
@@ -18,7 +18,7 @@ struct LoadedBox {
   double density;   ///< kg/m^3
   Point force;      ///< sum of the loads at the end of their time histories, N
   bool step;        ///< the loads act in full from the start
-  bool damped;      ///< by [damping] or [settling]: theory then knows no history, frequency or peak
+  bool damped;      ///< by [damping] or [settling]: no theory of histories, frequencies and peaks then
   double duration;  ///< of the scene, s
   double yield = std::numeric_limits<double>::infinity();  ///< Pa: elastic up to here
   double area() const { return height * width; }
@@ -40,20 +40,22 @@ struct BoxTheory {
                     BoxValue value) const;
 };
 
-/// Throws the message that all theories of the loaded box share.
+/// Throws std::runtime_error: "THEORY theory needs one box, held on x- .., but WHY".
 [[noreturn]] void refuse_theory(const std::string& theory, const std::string& why);
-/// The force is not zero, and along this axis alone.
+/// Whether the force is not zero and has no other component than this one.
 bool only_along(const Point& force, int axis);
-/// Throw std::runtime_error unless the stress (Pa) is below yield; unless the scene is without damping;
-/// unless both hold, the load is a step, and twice the static stress is below yield, which a step load leads
-/// to.
+/// Throws std::runtime_error if the magnitude of the stress (Pa) is above the yield stress.
 void need_elastic(const LoadedBox& box, double stress, const std::string& theory);
+/// Throws std::runtime_error if the scene has damping.
 void need_undamped(const LoadedBox& box, const std::string& theory);
+/// Throws std::runtime_error unless the load is a step, the scene has no damping, and twice the static stress
+/// (Pa), the largest stress under a step load, is at most the yield stress.
 void need_step(const LoadedBox& box, double static_stress, const std::string& theory);
 
-/// What excludes a scene from every theory of one box; empty if nothing does. `moving`: an initial velocity
-/// does not.
+/// Why no theory of one box holds for a scene; empty if there is no such reason. `moving`: an initial
+/// velocity is allowed.
 std::string not_one_box(const Scene& scene, bool moving);
+/// Whether the place lies on this side, alone or with others.
 bool names_side(const Place& place, const std::string& side);
 
 }  // namespace femsph::compare

@@ -1,4 +1,4 @@
-// The moment that a rectangular section carries when all of it yields, sigma_y b h^2/4.
+// The fully plastic moment of a rectangular section, sigma_y b h^2/4.
 
 #include <stdexcept>
 
@@ -10,7 +10,9 @@ namespace {
 double plastic_moment(const Scene& scene) {
   const auto refuse_moment = [](const std::string& why) {
     throw std::runtime_error(
-        "plastic moment theory needs one box of perfect plasticity, in plane stress or in space, but " + why);
+        "plastic moment theory needs one box without hardening, in plane stress or in three dimensions, "
+        "but " +
+        why);
   };
   if (const std::string why = not_one_box(scene, false); !why.empty()) refuse_moment(why);
   const Body& body = scene.bodies[0];
@@ -29,7 +31,7 @@ double plastic_moment(const Scene& scene) {
 std::vector<Theory> plastic_moment_values() {
   using Depends = Theory::Depends;
   return {
-      {"plastic_moment", "N m", "sigma_y b h^2/4", Depends::on_nothing,
+      {"plastic_moment", "N m", "sigma_y b h^2/4: the whole section yields", Depends::on_nothing,
        [](const Scene& scene, const Point&, double) { return plastic_moment(scene); }},
   };
 }

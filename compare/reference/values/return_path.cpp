@@ -1,5 +1,5 @@
-// Perfect plasticity under a strain rate at a right angle to the stress: the stress deviator turns on the
-// yield surface (Prandtl-Reuss).
+// Perfect plasticity under a strain rate that is orthogonal to the stress deviator: the deviator rotates on
+// the yield surface (Prandtl-Reuss equations).
 
 #include <cmath>
 #include <stdexcept>
@@ -24,13 +24,13 @@ double return_path_xx(const Scene& scene, double time) {
     return std::abs(trace) + across <= 1e-6 * size;
   };
   if (scene.bodies.size() != 1 || scene.bodies[0].rigid || scene.plane == Plane::stress || scene.large_motion)
-    throw std::runtime_error("this theory is of one body in plane strain or in space, in small motion");
+    throw std::runtime_error(
+        "this theory needs one deformable body in plane strain or in three dimensions, with small motion");
   const Material& m = scene.material_of(scene.bodies[0]);
   if (!m.plasticity() || !m.plasticity()->perfect() || scene.initial_displacements.size() != 1 ||
       scene.initial_velocities.size() != 1)
     throw std::runtime_error(
-        "this theory is of a material without hardening, with one initial displacement and one initial "
-        "velocity");
+        "this theory needs a material without hardening, one initial displacement and one initial velocity");
   const InitialVelocity& start = scene.initial_velocities[0];
   const Matrix &a = scene.initial_displacements[0].gradient, &b = start.gradient;
   const double size_a = std::sqrt(inner(a, a)), size_b = std::sqrt(inner(b, b)),
@@ -39,8 +39,8 @@ double return_path_xx(const Scene& scene, double time) {
   if (!(size_b > 0) || std::abs(inner(a, b)) > 1e-9 * size_a * size_b || !(2 * shear * size_a >= S) ||
       !deviator_along_axes(a) || !deviator_along_axes(b) || start.profile || start.spin != Point{})
     throw std::runtime_error(
-        "this theory is of an initial strain beyond yield and a rate of strain across it, both deviators "
-        "along the axes");
+        "this theory needs an initial strain beyond yield and a strain rate orthogonal to it, both "
+        "deviatoric and without shear");
   const double theta = 2 * std::atan(std::exp(-2 * shear * size_b * time / S));
   return S * (std::sin(theta) * a[0][0] / size_a + std::cos(theta) * b[0][0] / size_b);
 }
@@ -51,8 +51,8 @@ std::vector<Theory> return_path_values() {
   using Depends = Theory::Depends;
   return {
       {"return_path_xx", "Pa",
-       "sigma_xx of a deviator that turns to the strain rate e by theta = 2 atan(exp(-2 G |e| t/S)), without "
-       "hardening",
+       "sigma_xx without hardening: the angle from the strain rate e to the stress deviator is theta = 2 "
+       "atan(exp(-2 G |e| t/S))",
        Depends::on_time, [](const Scene& scene, const Point&, double t) { return return_path_xx(scene, t); }},
   };
 }

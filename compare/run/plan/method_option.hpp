@@ -1,6 +1,6 @@
 #pragma once
-// What can be changed of a method: one list, from which follow a study's `options = {..}`, the options of the
-// command line, why one does nothing with a method, how tables tell a changed method, and `femsph list`.
+// The options of methods: one list, from which follow a study's `options = {..}`, the options of the command
+// line, the names of changed methods in tables, and `femsph list`.
 
 #include <optional>
 #include <string>
@@ -30,7 +30,7 @@ struct MethodOption {
   std::vector<std::string> words;    ///< to choose from; without range and words it is true or false
   bool of_fem, of_sph;               ///< the methods that a study may give it to
   bool on_command_line;              ///< as --word; viscosity and projection have forms of their own there
-  /// Why it does nothing with a method of these; empty where it does something.
+  /// Why it has no effect on a method of that kind; empty if it has one.
   std::string (*idle)(const Method&);
   void (*set)(Method&, const OptionValue&);
 
@@ -42,7 +42,7 @@ const std::vector<MethodOption>& method_options();
 /// Throws std::logic_error if there is none of this word.
 const MethodOption& method_option(const std::string& word);
 
-/// Why an option does nothing with this method: "it is an option of SPH"; empty where it does something.
+/// Why an option has no effect on this method: "it is an option of SPH"; empty if it has one.
 std::string why_idle(const Method& method, const MethodOption& option);
 
 /// Changes to a method's options.

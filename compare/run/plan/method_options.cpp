@@ -1,4 +1,4 @@
-// The list of what can be changed of a method.
+// The list of the options of methods.
 
 #include <stdexcept>
 
@@ -86,20 +86,26 @@ std::vector<MethodOption> all_options() {
              "material flows plastically, except in plane stress)",
              {}, words_of(dilatations), true, unless_corrected,
              [](Method& m, const OptionValue& v) { sph_of(m).dilatation = meaning(dilatations, v); }),
-      of_sph("boundary", "classic SPH: what makes up for missing neighbours beyond a surface", {},
+      of_sph("boundary", "classic SPH: the correction for the missing neighbours beyond a surface", {},
              words_of(boundaries), false, unless_classic,
              [](Method& m, const OptionValue& v) { sph_of(m).boundary = meaning(boundaries, v); }),
       of_sph("projection",
-             "sph-corrected: weights of scattered particles made so that a uniform stress is exact (default "
+             "sph-corrected: weights of scattered particles are projected, so that a uniform stress is exact "
+             "(default "
              "true)",
              {}, {}, false, unless_corrected,
              [](Method& m, const OptionValue& v) { sph_of(m).projection = std::get<bool>(v); }),
-      of_sph("alpha", "classic SPH: of the artificial viscosity (default 0)", viscosity, {}, false,
-             unless_classic, [](Method& m, const OptionValue& v) { sph_of(m).viscosity.alpha = number(v); }),
-      of_sph("beta", "the same: its quadratic part (default 0)", viscosity, {}, false, unless_classic,
+      of_sph("alpha", "classic SPH: linear coefficient of the artificial viscosity (default 0)", viscosity,
+             {}, false, unless_classic,
+             [](Method& m, const OptionValue& v) { sph_of(m).viscosity.alpha = number(v); }),
+      of_sph("beta", "classic SPH: quadratic coefficient of the artificial viscosity (default 0)", viscosity,
+             {}, false, unless_classic,
              [](Method& m, const OptionValue& v) { sph_of(m).viscosity.beta = number(v); }),
-      of_sph("gamma", "the same: its smoothing of small distances (default 1)", gamma, {}, false,
-             unless_classic, [](Method& m, const OptionValue& v) { sph_of(m).viscosity.gamma = number(v); }),
+      of_sph("gamma",
+             "classic SPH: gamma of the artificial viscosity, which keeps it finite at small distances "
+             "(default 1)",
+             gamma, {}, false, unless_classic,
+             [](Method& m, const OptionValue& v) { sph_of(m).viscosity.gamma = number(v); }),
       {"hourglass",
        "coefficient of the hourglass control of sph-corrected; fem-one-point takes Flanagan and Belytschko's "
        "control by it, instead of its physical stabilization",

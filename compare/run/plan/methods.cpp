@@ -1,12 +1,11 @@
 // The methods: every element and every variant of an SPH formulation.
 
-#include <fmt/format.h>
-
 #include <stdexcept>
 
 #include "compare/run/plan/method.hpp"
 #include "compare/run/plan/run_result.hpp"
 #include "model/input/faults.hpp"
+#include "model/input/lookup.hpp"
 
 namespace femsph::compare {
 
@@ -33,13 +32,7 @@ const std::vector<Method>& methods() {
 }
 
 Method method_named(const std::string& name) {
-  std::vector<std::string> names;
-  for (const Method& m : methods()) {
-    if (m.name == name) return m;
-    names.push_back(m.name);
-  }
-  throw std::runtime_error(
-      fmt::format("no method {}; expected {}{}", in_quotes(name), one_of(names), did_you_mean(name, names)));
+  return entry_named<std::runtime_error>(methods(), name, &Method::name, "no method " + in_quotes(name));
 }
 
 const std::vector<std::pair<std::string, std::string>>& run_scalars() {

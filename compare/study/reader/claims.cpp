@@ -98,7 +98,7 @@ void judge_ratio(const Claim& claim, const std::vector<Row>& rows, Verdict& verd
              below = rows_of(claim.other, claim, rows, verdict);
   if (above.empty() || below.empty()) return;
   if (above.size() > 1 || below.size() > 1)
-    return add_note(verdict, "more than one row; a ratio needs one and one");
+    return add_note(verdict, "more than one row; a ratio is that of two rows");
   const double a = *error_of(*above[0], claim.reference), b = *error_of(*below[0], claim.reference);
   if (b == 0) return add_note(verdict, "the second error is 0");
   const double ratio = std::abs(a / b);

@@ -1,5 +1,5 @@
 #pragma once
-// Claims: sentences of the paper that are checked against the rows of a table.
+// Claims: statements of the paper that are checked with the rows of a table.
 
 #include <optional>
 #include <string>
@@ -46,8 +46,8 @@ struct Verdict {
   std::string note;         ///< remarks of the evaluation; the claim's own note if it does not hold
 };
 
-/// Checks every claim against the rows. `unknown` if a row is missing or has no number; of several cases all
-/// must be there.
+/// Checks every claim against the rows. `unknown` if a row is missing or has no number; of several cases
+/// all must be there.
 std::vector<Verdict> judge(const std::vector<Claim>& claims, const std::vector<Row>& rows);
 
 std::string csv(const std::vector<Verdict>& verdicts);

@@ -47,7 +47,7 @@ struct LimitSpec {
 
 /// The cost of accuracy by each method: one scene and quantity of price.csv.
 struct PriceSpec {
-  std::string name, title;  ///< name: in tables and names of files; title: for people
+  std::string name, title;  ///< name: in tables and names of files; title: heading in price.md
   std::string quantity;     ///< of one scene
   Reference reference = Reference::limit;
   std::vector<double> errors{10, 5, 1, 0.1};  ///< percent

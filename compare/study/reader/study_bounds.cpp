@@ -67,13 +67,13 @@ void one_bound(Fields& fields, StudyReading& reading) {
   bound.low = fields.number("low", Need::optional);
   bound.high = fields.number("high", Need::optional);
   if (bound.low && bound.high && *bound.low > *bound.high)
-    fields.fault("low", "\"low\" is above \"high\", so that no number lies between; expected it below");
+    fields.fault("low", "\"low\" is above \"high\"; expected it below");
   fields.done();
   if (is_known && reading.runs_known && reading.quantities_known) check_bound(fields, bound, study);
   reading.study.bounds.push_back(bound);
 }
 
-void one_expectation(Fields& fields, StudyReading& reading) {
+void one_expectation(Fields& fields, StudyReading& reading, bool bounds_known) {
   Expectation expectation;
   expectation.cases = read_names(fields, "cases", case_names(reading.study), "case", reading.runs_known);
   expectation.methods = read_names(
@@ -83,10 +83,11 @@ void one_expectation(Fields& fields, StudyReading& reading) {
           .value_or(std::vector<std::string>{});
   expectation.reason = fields.text("reason", Need::required, "why it must fail").value_or("");
   fields.done();
-  if (reading.runs_known && !some_row(reading.study, expectation.cases, expectation.methods,
-                                      [](const QuantitySpec&) { return true; }))
+  if (reading.runs_known && reading.quantities_known &&
+      !some_row(
+          reading.study, expectation.cases, expectation.methods, [](const QuantitySpec&) { return true; }))
     fields.fault("cases", "no run has these cases and methods together; expected words of one run");
-  if (reading.study.bounds.empty())
+  if (reading.study.bounds.empty() && bounds_known)
     fields.fault("messages", "[[expectations]] without [[bounds]]; expected bounds that the failure breaks");
   reading.study.expectations.push_back(expectation);
 }
@@ -96,17 +97,18 @@ void one_expectation(Fields& fields, StudyReading& reading) {
 KeyTable bound_keys() {
   KeyTable table{"[[bounds]]",
                  "Bounds that rows must keep; the study's table then shows verdicts. Where several tables "
-                 "match a row, the last "
-                 "one that gives a bound counts.",
+                 "match a row, the last one that gives a bound counts.",
                  row_keys()};
   for (const Key& key : std::vector<Key>{
            {"quantity", "a text: a quantity of this study", "Only of this quantity."},
-           {"energy_drift", key_holds::number,
-            "At most: the energy that is unaccounted for over the largest energy."},
-           {"momentum_drift", key_holds::number, "At most: the change of the total over its scale."},
-           {"angular_momentum_drift", key_holds::number, "At most: a share of 1."},
-           {"hourglass_share", key_holds::number, "At most: hourglass energy over internal energy."},
-           {"error_percent", key_holds::number, "At most: the magnitude of the error."},
+           {"energy_drift", key_holds::number, "Upper bound of the energy error over the largest energy."},
+           {"momentum_drift", key_holds::number,
+            "Upper bound of the change of the total momentum over its scale."},
+           {"angular_momentum_drift", key_holds::number,
+            "Upper bound of the change of the total angular momentum over its scale."},
+           {"hourglass_share", key_holds::number,
+            "Upper bound of the hourglass energy over the internal energy."},
+           {"error_percent", key_holds::number, "Upper bound of the magnitude of the error, percent."},
            {"low", key_holds::number, "The least value, in the unit of the table."},
            {"high", key_holds::number, "The largest value, in the unit of the table."}})
     table.keys.push_back(key);
@@ -123,7 +125,8 @@ KeyTable expectation_keys() {
 
 void read_bounds(Fields& root, StudyReading& reading) {
   for (Fields& fields : root.tables("bounds")) one_bound(fields, reading);
-  for (Fields& fields : root.tables("expectations")) one_expectation(fields, reading);
+  const bool bounds_known = !root.misspelt({"bounds"});
+  for (Fields& fields : root.tables("expectations")) one_expectation(fields, reading, bounds_known);
 }
 
 }  // namespace femsph::compare

@@ -1,4 +1,4 @@
-// [[paper]] and [[claims]] of a study: numbers that the paper reports, and sentences of the paper to check.
+// [[paper]] and [[claims]] of a study: numbers that the paper reports, and statements of the paper to check.
 
 #include <fmt/format.h>
 
@@ -6,6 +6,7 @@
 
 #include "compare/study/reader/study_page.hpp"
 #include "compare/study/reader/study_reading.hpp"
+#include "model/input/lookup.hpp"
 #include "model/input/units.hpp"
 
 namespace femsph::compare {
@@ -75,8 +76,8 @@ std::optional<std::string> read_word(Fields& fields, const char* key, std::strin
   if (!word) return {};
   const auto known = known_words(member, planned);
   if (!planned.complete || std::find(known.begin(), known.end(), *word) != known.end()) return word;
-  fields.fault(key, fmt::format("no run has the {} {}; expected {}{}", key, in_quotes(*word), one_of(known),
-                                did_you_mean(*word, known)));
+  fields.fault(
+      key, fmt::format("no run has the {} {}{}", key, in_quotes(*word), expected_names(*word, known)));
   return {};
 }
 
@@ -141,8 +142,7 @@ void read_kind(Fields& fields, Claim& claim, const Planned& planned) {
     case Kind::order:
       claim.low = fields.number("low", Need::required).value_or(0);
       claim.high = fields.number("high", Need::required).value_or(0);
-      if (claim.low > claim.high)
-        fields.fault("low", "\"low\" is above \"high\", so that no number lies between; expected it below");
+      if (claim.low > claim.high) fields.fault("low", "\"low\" is above \"high\"; expected it below");
       break;
     case Kind::larger:
     case Kind::smaller:
@@ -154,12 +154,12 @@ void one_claim(Fields& fields, StudyReading& reading, const Planned& planned) {
   Claim claim;
   claim.id = fields.text("id", Need::required, "a short name").value_or("");
   claim.source =
-      fields.text("source", Need::required, "where the paper says it, such as \"fig 5\"").value_or("");
+      fields.text("source", Need::required, "the place in the paper, such as \"fig 5\"").value_or("");
   claim.text = fields.text("text", Need::required, "the claim in words").value_or("");
   claim.note = fields.text("note", Need::optional).value_or("");
   claim.reference = fields.choice("reference", Need::optional, claim_references).value_or(Reference::theory);
   const auto kind = fields.choice("kind", Need::required, claim_kinds);
-  if (!kind) return;
+  if (!kind) return fields.accept_rest(), fields.done();
   claim.kind = *kind;
   read_kind(fields, claim, planned);
   fields.done();
@@ -191,7 +191,7 @@ KeyTable paper_keys() {
            {"value", "a text: a number with the unit of the quantity, such as \"4.765 mm\"",
             "The paper's value. This, \"error_percent\" or both."},
            {"error_percent", key_holds::number, "The error that the paper states."},
-           {"source", key_holds::text, "Where the paper says it, such as \"fig 14\".", true}})
+           {"source", key_holds::text, "The place in the paper, such as \"fig 14\".", true}})
     table.keys.push_back(key);
   return table;
 }
@@ -200,21 +200,18 @@ KeyTable claim_keys() {
   const std::string of_ratio = "with kind \"ratio\" or \"finer\"", of_order = "with kind \"order\"";
   return {
       "[[claims]]",
-      "A sentence of the paper that the rows of the table confirm or not.",
+      "A statement of the paper that is checked with the rows of the table.",
       {{"id", key_holds::text, "A short name.", true},
-       {"source", key_holds::text, "Where the paper says it, such as \"fig 5\".", true},
+       {"source", key_holds::text, "The place in the paper, such as \"fig 5\".", true},
        {"text", key_holds::text, "The claim in words.", true},
        {"note", key_holds::text, "Shown if the claim does not hold."},
        {"reference", key_holds::words(claim_references),
         "What the errors are measured against. \"theory\" unless given."},
        {"kind", key_holds::words(claim_kinds),
         "How it is checked. \"value\": error or value is the paper's, within \"tolerance\"; \"below\", "
-        "\"above\": a "
-        "bound on the error; \"ratio\": of the errors of two rows; \"order\": the observed order of "
-        "convergence; "
-        "\"finer\": how many times finer the rows must be for the error of another; \"larger\", \"smaller\": "
-        "than the "
-        "reference.",
+        "\"above\": a bound on the error; \"ratio\": the ratio of the errors of two rows; \"order\": the "
+        "observed order of convergence; \"finer\": how many times finer the rows must be for the error of "
+        "another row; \"larger\", \"smaller\": than the reference.",
         true},
        {"field", key_holds::words(claim_fields),
         "With \"value\": what is compared with \"paper\". \"error\" unless given."},
@@ -255,8 +252,8 @@ void read_paper(Fields& root, StudyReading& reading) {
     number.value = read_paper_value(fields, number.rows.quantity, reading.study);
     number.error_percent = fields.number("error_percent", Need::optional);
     number.source =
-        fields.text("source", Need::required, "where the paper says it, such as \"fig 14\"").value_or("");
-    if (!fields.has("value") && !fields.has("error_percent"))
+        fields.text("source", Need::required, "the place in the paper, such as \"fig 14\"").value_or("");
+    if (!fields.has("value") && !fields.has("error_percent") && !fields.misspelt({"value", "error_percent"}))
       fields.fault("value", "expected \"value\", \"error_percent\" or both in [[paper]]");
     fields.done();
     if (number.rows.quantity) check_filter(fields, "quantity", number.rows, planned);

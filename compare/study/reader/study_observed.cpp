@@ -6,6 +6,7 @@
 
 #include "compare/reference/theory.hpp"
 #include "compare/run/plan/run_result.hpp"
+#include "model/input/lookup.hpp"
 #include "model/results/history_columns.hpp"
 
 namespace femsph::compare {
@@ -36,8 +37,8 @@ std::string column_unit(const Fields& fields, const std::string& column,
     }
   }
   if (!known.empty())
-    fields.fault("column", fmt::format("no column of a history is called {}; expected {}{}",
-                                       in_quotes(column), one_of(known), did_you_mean(column, known)));
+    fields.fault("column", fmt::format("no column of a history is called {}{}", in_quotes(column),
+                                       expected_names(column, known)));
   return "";
 }
 
@@ -64,7 +65,7 @@ std::optional<Found> find_observer(Fields& fields, const char* key, const std::s
     const auto quantity = section ? observer(read.sections, name) : observer(read.probes, name);
     if (quantity && found && found->quantity != *quantity) {
       fields.fault(key, fmt::format("the {} {} reads one quantity in {} and another in other scenes; "
-                                    "expected \"scene\", which says whose it is",
+                                    "expected \"scene\", which selects one",
                                     key, in_quotes(name), file));
       return {};
     }
@@ -78,9 +79,8 @@ std::optional<Found> find_observer(Fields& fields, const char* key, const std::s
       for (const Section& s : read.sections) names.push_back(s.name);
     else
       for (const Probe& p : read.probes) names.push_back(p.name);
-    fields.fault(
-        key, fmt::format("no {} is called {} in {}{}{}", key, in_quotes(name), file,
-                         names.empty() ? "" : "; expected " + one_of(names), did_you_mean(name, names)));
+    fields.fault(key, fmt::format("no {} is called {} in {}{}", key, in_quotes(name), file,
+                                  names.empty() ? "" : expected_names(name, names)));
     return {};
   }
   return found;
@@ -89,17 +89,17 @@ std::optional<Found> find_observer(Fields& fields, const char* key, const std::s
 }  // namespace
 
 std::vector<Key> observed_keys() {
-  return {
-      {"probe", "a text: a probe of the scene",
-       "One of \"probe\", \"section\", \"energy\", \"scalar\" and \"column\" says what is read."},
-      {"section", "a text: a section of the scene", "Its profile at the last sample."},
-      {"energy", "a text: " + one_of(energy_columns()), "A column of energy of the history."},
-      {"scalar", "a text: " + one_of(scalar_names()), "One number of the whole run."},
-      {"column", "a text: a column of the history, such as \"contact_blow_force_x\"",
-       "Any other column of the history."},
-      {"component", "a text: x, xx, 1 or the like",
-       "Of what the probe or section reads. Not needed where there is one component only."},
-      {"unit", "a text: a unit of the same kind, such as \"mm\"", "In tables. The SI unit unless given."}};
+  return {{"probe", "a text: a probe of the scene",
+           "One of \"probe\", \"section\", \"energy\", \"scalar\" and \"column\" says what is read."},
+          {"section", "a text: a section of the scene", "Its profile at the last sample."},
+          {"energy", "a text: " + one_of(energy_columns()), "A column of energy of the history."},
+          {"scalar", "a text: " + one_of(scalar_names()), "One number of the whole run."},
+          {"column", "a text: a column of the history, such as \"contact_blow_force_x\"",
+           "Any other column of the history."},
+          {"component", "a text: x, xx, 1 or the like",
+           "A component of what the probe or section reads. Not needed if there is only one."},
+          {"unit", "a text: a unit of the same kind, such as \"mm\"",
+           "The unit in tables. The SI unit unless given."}};
 }
 
 std::vector<Key> joined(std::vector<Key> all, const std::vector<Key>& more) {
@@ -107,7 +107,9 @@ std::vector<Key> joined(std::vector<Key> all, const std::vector<Key>& more) {
   return all;
 }
 
-Key theory_key() { return {"theory", "a text: a theory value", "To compare with: see `femsph list`."}; }
+Key theory_key() {
+  return {"theory", "a text: a theory value", "A theory value to compare with: see `femsph list`."};
+}
 Key scene_key(const char* about) { return {"scene", "a text: the file of a scene that a run uses", about}; }
 
 Unit read_unit(Fields& fields, const char* key, const std::optional<std::string>& name,
@@ -135,6 +137,7 @@ Observed read_observed(Fields& fields, const std::optional<std::string>& scene,
   observed.section = section.value_or("");
   observed.column = energy ? *energy : column.value_or("");
   observed.scalar = scalar.value_or("");
+  if (fields.misspelt({"probe", "section", "energy", "scalar", "column", "component"})) return observed;
   if (probe.has_value() + section.has_value() + energy.has_value() + scalar.has_value() +
           column.has_value() !=
       1) {
@@ -144,17 +147,9 @@ Observed read_observed(Fields& fields, const std::optional<std::string>& scene,
     return observed;
   }
   std::string si = scalar ? scalar_unit(*scalar) : column ? column_unit(fields, *column, scene, study) : "J";
-  if (const auto known = scalar_names();
-      scalar && std::find(known.begin(), known.end(), *scalar) == known.end()) {
-    fields.fault("scalar", fmt::format("unknown scalar {}; expected {}{}", in_quotes(*scalar), one_of(known),
-                                       did_you_mean(*scalar, known)));
-    return observed;
-  }
+  if (scalar && !fields.position_of(*scalar, scalar_names(), "scalar", "scalar")) return observed;
   if (column && si.empty()) return observed;
-  const std::vector<std::string>& energies = energy_columns();
-  if (energy && std::find(energies.begin(), energies.end(), *energy) == energies.end())
-    fields.fault("energy", fmt::format("unknown energy {}; expected {}{}", in_quotes(*energy),
-                                       one_of(energies), did_you_mean(*energy, energies)));
+  if (energy) fields.position_of(*energy, energy_columns(), "energy", "energy");
   if (probe || section) {
     const char* key = probe ? "probe" : "section";
     const auto found = find_observer(fields, key, probe ? *probe : *section, scene, study);

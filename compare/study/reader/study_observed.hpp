@@ -23,7 +23,7 @@ Unit read_unit(Fields& fields, const char* key, const std::optional<std::string>
                const std::string& si);
 
 /// The name of a theory value, in the SI unit `si` (empty: any), which must hold for every scene that it is
-/// compared in: said now, before the runs. `over_time`: the theory may depend on time.
+/// compared in: a fault otherwise. `over_time`: the theory may depend on time.
 std::optional<std::string> read_theory(Fields& fields, const std::optional<std::string>& scene,
                                        const std::string& si, bool over_time, const Study& study);
 

@@ -1,5 +1,4 @@
-// [[price]] and [[advice]] of a study: the CPU time that accuracy costs, and whether `femsph advise` is
-// right.
+// [[price]] and [[advice]] of a study: the CPU time that accuracy costs, and the check of `femsph advise`.
 
 #include <fmt/format.h>
 
@@ -22,21 +21,23 @@ std::string read_name(Fields& fields, const Study& study) {
     fields.fault("name", fmt::format("\"name\" is {}; expected {}", in_quotes(name), expected));
   if (std::any_of(
           study.prices.begin(), study.prices.end(), [&](const PriceSpec& p) { return p.name == name; }))
-    fields.fault("name", fmt::format("two prices are called {}; expected a name for each", in_quotes(name)));
+    fields.fault("name", fmt::format("two prices are called {}; expected different names", in_quotes(name)));
   return name;
 }
 
 Key quantity_key() {
-  return {"quantity", "a text: a quantity of this study, of one scene", "The quantity whose error is meant.",
-          true};
+  return {
+      "quantity", "a text: a quantity of this study, of one scene", "The quantity whose error counts.", true};
 }
 
-/// The quantity of this name, or null after a fault.
-const QuantitySpec* known_quantity(Fields& fields, const std::string& name, const StudyReading& reading) {
+/// The quantity that the key "quantity" names, or null after a fault.
+const QuantitySpec* read_quantity(Fields& fields, const StudyReading& reading) {
+  const auto name = fields.text("quantity", Need::required, one_of(quantity_names(reading.study)));
+  if (!name) return nullptr;
   for (const QuantitySpec& quantity : reading.study.quantities)
-    if (quantity.name == name) return &quantity;
+    if (quantity.name == *name) return &quantity;
   require_known(
-      fields, "quantity", "quantity", name, quantity_names(reading.study), reading.quantities_known);
+      fields, "quantity", "quantity", *name, quantity_names(reading.study), reading.quantities_known);
   return nullptr;
 }
 
@@ -52,7 +53,7 @@ KeyTable price_keys() {
   return {
       "[[price]]",
       "The CPU time that accuracy costs by each method; studies/cost/README.md states the rules.",
-      {{"name", key_holds::text, "In price.csv and in file names: letters, digits, _ and -.", true},
+      {{"name", key_holds::text, "The name in price.csv and in file names: letters, digits, _ and -.", true},
        {"title", key_holds::text, "Heading in the README. The name unless given."},
        quantity_key(),
        {"reference", key_holds::words(price_references),
@@ -60,13 +61,14 @@ KeyTable price_keys() {
        {"errors", key_holds::numbers, "Percents above 0. [10, 5, 1, 0.1] unless given."},
        {"spacing", key_holds::quantity(dimension::length), "All methods are also compared at this spacing."},
        {"base", "a text: the name of a method in tables",
-        "The others are compared with it: how many times finer and dearer they are for the same error."}}};
+        "The others are compared with it: how many times finer they must be for the same error, and how many "
+        "times as much CPU time that costs."}}};
 }
 
 KeyTable advice_keys() {
   return {
       "[[advice]]",
-      "Asks `femsph advise`, makes the run that it advises and compares (not in the quick form).",
+      "Asks `femsph advise`, makes the advised run, and compares it with the prediction (not with --quick).",
       {quantity_key(),
        {"error", key_holds::number, "Percent. Either this or \"within\"."},
        {"within", key_holds::quantity(dimension::time), "The least error in this CPU time."},
@@ -82,7 +84,8 @@ void one_price(Fields& fields, StudyReading& reading) {
   PriceSpec price;
   price.name = read_name(fields, study);
   price.title = fields.text("title", Need::optional).value_or(price.name);
-  price.quantity = fields.text("quantity", Need::required, one_of(quantity_names(study))).value_or("");
+  const QuantitySpec* quantity = read_quantity(fields, reading);
+  if (quantity) price.quantity = quantity->name;
   price.reference = fields.choice("reference", Need::optional, price_references).value_or(price.reference);
   if (const auto errors = fields.numbers("errors", Need::optional)) {
     price.errors = *errors;
@@ -93,7 +96,6 @@ void one_price(Fields& fields, StudyReading& reading) {
   price.spacing = fields.quantity("spacing", Need::optional, dimension::length, Sign::positive);
   price.base = read_base(fields, reading);
   fields.done();
-  const QuantitySpec* quantity = known_quantity(fields, price.quantity, reading);
   if (quantity && !quantity->scene && study.scenes.size() > 1)
     fields.fault(
         "quantity", fmt::format("{} is a quantity of several scenes; expected one that names its scene",
@@ -107,18 +109,18 @@ void one_price(Fields& fields, StudyReading& reading) {
 void one_advice(Fields& fields, StudyReading& reading) {
   const Study& study = reading.study;
   AdviceSpec advice;
-  advice.quantity = fields.text("quantity", Need::required, one_of(quantity_names(study))).value_or("");
+  const QuantitySpec* quantity = read_quantity(fields, reading);
+  if (quantity) advice.quantity = quantity->name;
   advice.error = fields.number("error", Need::optional, "percent above 0");
   advice.within = fields.quantity("within", Need::optional, dimension::time, Sign::positive);
   advice.budget =
       fields.quantity("budget", Need::optional, dimension::time, Sign::positive).value_or(advice.budget);
   advice.methods = read_methods(fields, Need::optional);
   fields.done();
-  if (fields.has("error") == fields.has("within"))
+  if (fields.has("error") == fields.has("within") && !fields.misspelt({"error", "within"}))
     fields.fault(
         "error", "expected either \"error\", in percent, or \"within\", a time, in " + fields.name());
   if (advice.error && *advice.error <= 0) fields.fault("error", "\"error\" is not above 0; expected percent");
-  const QuantitySpec* quantity = known_quantity(fields, advice.quantity, reading);
   if (quantity && (quantity->reduce == Reduce::l2 || (!quantity->scene && study.scenes.size() > 1)))
     fields.fault(
         "quantity",
@@ -126,7 +128,7 @@ void one_advice(Fields& fields, StudyReading& reading) {
                     in_quotes(advice.quantity)));
   else if (quantity && quantity->scene)
     advice.scene = *quantity->scene;
-  else if (quantity && !study.scenes.empty())  // empty: that none could be read is said where it is named
+  else if (quantity && !study.scenes.empty())  // empty: reported where the scene is named
     advice.scene = study.scenes.begin()->first;
   reading.study.advice.push_back(advice);
 }

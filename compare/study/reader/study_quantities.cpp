@@ -36,11 +36,9 @@ void check_window(Fields& fields, const QuantitySpec& quantity, const Study& stu
                         "probe, a column or an energy");
   for (const auto& [file, scene] : study.scenes)
     if ((!quantity.scene || *quantity.scene == file) && (*quantity.window)[1] > scene.duration * (1 + 1e-9))
-      fields.fault(
-          "window",
-          fmt::format(
-              "\"window\" goes on to {:.6g} ms, and {} to {:.6g} ms; expected a window within the run",
-              1e3 * (*quantity.window)[1], file, 1e3 * scene.duration));
+      fields.fault("window", fmt::format("\"window\" ends at {:.6g} ms, and the run of {} at {:.6g} ms; "
+                                         "expected a window within the run",
+                                         1e3 * (*quantity.window)[1], file, 1e3 * scene.duration));
 }
 
 /// A key that the reduction would ignore must not be given.
@@ -48,8 +46,8 @@ void check_fit(Fields& fields, const QuantitySpec& quantity) {
   if (quantity.reduce == Reduce::excess &&
       (quantity.theory || quantity.reference || quantity.sign != SignRule::as_is || quantity.offset != 0))
     fields.fault("reduce",
-                 "excess is measured from its own yield curve; expected it without theory, reference, sign "
-                 "and offset");
+                 "\"excess\" is measured from the yield curve of the material; expected it without theory, "
+                 "reference, sign and offset");
   if (quantity.reduce == Reduce::l2 && (quantity.reference || quantity.sign != SignRule::as_is))
     fields.fault("reduce", "l2 is a distance from theory or limit; expected it without reference and sign");
   if (!quantity.observed.scalar.empty() && quantity.reduce != Reduce::final)
@@ -71,7 +69,7 @@ void check_twice(Fields& fields, const QuantitySpec& quantity, const Study& stud
       for (const QuantitySpec& other : study.quantities)
         if (other.name == quantity.name && other.is_of(run))
           return fields.fault(
-              "name", fmt::format("two quantities of the run {} {} are called {}; expected a name for each",
+              "name", fmt::format("two quantities of the run {} {} are called {}; expected different names",
                                   run.case_name, run.label, in_quotes(quantity.name)));
 }
 
@@ -94,7 +92,8 @@ std::optional<ReferenceTable> read_table(Fields& fields, const QuantitySpec& qua
 }
 
 /// There is something to compare with, and the reduction fits what is read.
-void check_reduction(Fields& fields, const QuantitySpec& quantity, const Study& study) {
+void check_reduction(Fields& fields, const QuantitySpec& quantity, const StudyReading& reading) {
+  const Study& study = reading.study;
   const bool history_l2 = quantity.reduce == Reduce::l2 &&
                           !quantity.observed.probe.empty();  // against a theory over time
   if (history_l2 && !quantity.table && !(quantity.theory && theory_named(*quantity.theory).on_time()))
@@ -106,7 +105,7 @@ void check_reduction(Fields& fields, const QuantitySpec& quantity, const Study& 
                  "\"reduce\" does not fit; expected fibre_upper, fibre_lower, l2 or moment for a section, "
                  "and one of the others for a probe or an energy");
   if (quantity.reduce == Reduce::l2 && !quantity.theory && !quantity.table && !study.limit &&
-      study.limits.empty())
+      study.limits.empty() && reading.limits_known)
     fields.fault("reduce", "l2 has nothing to compare with; expected \"theory\", or [limit] in the study");
 }
 
@@ -119,6 +118,12 @@ void one_quantity(Fields& fields, StudyReading& reading) {
   quantity.methods = read_names(
       fields, "methods", method_labels(reading.study), "method", reading.runs_known);
   const auto reduce = fields.choice<Reduce>("reduce", Need::optional, reduction_words());
+  if ((fields.has("reduce") && !reduce) ||
+      fields.misspelt({"scene", "methods", "reduce", "probe", "section", "energy", "scalar", "column",
+                       "component", "theory", "reference", "reference_file"})) {
+    reading.quantities_known = false;
+    return fields.accept_rest(), fields.done();  // other keys depend on it
+  }
   quantity.reduce = reduce.value_or(Reduce::final);
   const std::string si = reduction_of(quantity.reduce).unit;
   quantity.observed = read_observed(fields, quantity.scene, si, reading.study);
@@ -149,13 +154,14 @@ void one_quantity(Fields& fields, StudyReading& reading) {
     if (window->size() == 2 && (*window)[0] < (*window)[1])
       quantity.window = {(*window)[0], (*window)[1]};
     else
-      fields.fault("window", "\"window\" is no interval; expected two times, such as [\"10 us\", \"20 us\"]");
+      fields.fault(
+          "window", "\"window\" is not an interval; expected two times, such as [\"10 us\", \"20 us\"]");
   }
   fields.done();
   check_window(fields, quantity, reading.study);
   check_fit(fields, quantity);
   check_twice(fields, quantity, reading.study);
-  check_reduction(fields, quantity, reading.study);
+  check_reduction(fields, quantity, reading);
   reading.study.quantities.push_back(quantity);
 }
 
@@ -164,23 +170,23 @@ void one_quantity(Fields& fields, StudyReading& reading) {
 KeyTable quantity_keys() {
   return {
       "[[quantities]]", "A number to take from every run: one row of the table for each.",
-      joined(
-          joined({{"name", key_holds::text, "In tables.", true}}, observed_keys()),
-          {{"reduce", key_holds::words(reduction_words()),
-            "What is made of the history or profile: see below. \"final\" unless given."},
-           {"sign", key_holds::words(signs),
-            "How value, theory and limit are shown. \"as-is\" unless given."},
-           {"window", key_holds::quantities(dimension::time), "Two times: the part of a history to look at."},
-           theory_key(),
-           {"reference", "a number with the unit of the quantity in quotes; a number where that is 1 or %",
-            "To compare with, in place of a theory."},
-           {"reference_file", "a text: a CSV file beside the study, \"time [s],NAME [unit]\" above",
-            "With \"l2\" of a probe: a history to compare with, in place of a theory."},
-           {"offset", "a number with the unit of the quantity in quotes; a number where that is 1 or %",
-            "Added to the value, such as a length to a displacement; only with \"reference\" or without "
-            "comparison."},
-           scene_key("Only of runs of that scene."),
-           {"methods", key_holds::texts, "Only of runs with these labels (names of methods in tables)."}}),
+      joined(joined({{"name", key_holds::text, "The name in tables.", true}}, observed_keys()),
+             {{"reduce", key_holds::words(reduction_words()),
+               "How the history or profile is reduced to one number: see below. \"final\" unless given."},
+              {"sign", key_holds::words(signs),
+               "How value, theory and limit are shown. \"as-is\" unless given."},
+              {"window", key_holds::quantities(dimension::time),
+               "Two times: only this part of a history is used."},
+              theory_key(),
+              {"reference", "a number with the unit of the quantity in quotes; a number where that is 1 or %",
+               "A value to compare with, instead of a theory."},
+              {"reference_file", "a text: a CSV file beside the study, \"time [s],NAME [unit]\" above",
+               "With \"l2\" of a probe: a history to compare with, instead of a theory."},
+              {"offset", "a number with the unit of the quantity in quotes; a number where that is 1 or %",
+               "Added to the value, such as the initial length to a displacement; only with \"reference\" or "
+               "without a comparison."},
+              scene_key("Only of runs of that scene."),
+              {"methods", key_holds::texts, "Only of runs with these labels (names of methods in tables)."}}),
       "reduce", reduction_entries()};
 }
 
@@ -190,6 +196,7 @@ KeyTable quantity_along_keys() {
 }
 
 void read_quantities(Fields& root, StudyReading& reading) {
+  if (root.misspelt({"quantities"})) reading.quantities_known = false;
   for (Fields& fields : root.tables("quantities")) one_quantity(fields, reading);
 }
 

@@ -6,6 +6,7 @@
 
 #include "compare/study/reader/study_page.hpp"
 #include "compare/study/reader/study_reading.hpp"
+#include "model/input/lookup.hpp"
 #include "model/scene/reader/reader.hpp"
 
 namespace femsph::compare {
@@ -97,11 +98,8 @@ const Scene* scene_of(const Fields& fields, const char* key, const std::string& 
 
 bool require_known(const Fields& fields, const char* key, const std::string& what, const std::string& name,
                    const std::vector<std::string>& known, bool complete) {
-  if (std::find(known.begin(), known.end(), name) != known.end()) return true;
-  if (complete)
-    fields.fault(key, fmt::format("unknown {} {}; expected {}{}", what, in_quotes(name), one_of(known),
-                                  did_you_mean(name, known)));
-  return false;
+  if (complete) return fields.position_of(name, known, key, what).has_value();
+  return std::find(known.begin(), known.end(), name) != known.end();
 }
 
 std::vector<std::string> read_names(Fields& fields, const char* key, const std::vector<std::string>& known,
@@ -118,9 +116,9 @@ std::optional<std::string> read_scene_name(Fields& fields, Need need, const Stud
   if (!name || scenes.contains(*name)) return name;
   std::vector<std::string> known;
   for (const auto& [file, scene] : scenes) known.push_back(file);
-  if (!reading.bad_scenes.contains(*name))
-    fields.fault("scene", fmt::format("no run uses the scene {}; expected {}{}", in_quotes(*name),
-                                      one_of(known), did_you_mean(*name, known)));
+  if (!reading.bad_scenes.contains(*name) && (reading.runs_known || !known.empty()))
+    fields.fault(
+        "scene", fmt::format("no run uses the scene {}{}", in_quotes(*name), expected_names(*name, known)));
   return {};
 }
 

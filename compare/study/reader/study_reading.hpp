@@ -15,6 +15,7 @@ struct StudyReading {
   std::string default_scene;
   std::set<std::string> bad_scenes{};  ///< files that could not be read: reported once
   bool runs_known = true;              ///< false: after a fault, cases and methods are not known
+  bool limits_known = true;            ///< false: [limit] or [[limits]] is misspelt
   bool quantities_known = true;        ///< false: after a fault, the names of quantities are not known
 };
 

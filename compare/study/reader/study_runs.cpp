@@ -1,4 +1,4 @@
-// [[runs]] and [limit] of a study: what to run, and how fine.
+// [[runs]] and [limit] of a study: the runs with their resolutions, and what they should converge to.
 
 #include <fmt/format.h>
 
@@ -16,11 +16,10 @@ KeyTable run_keys() {
   return {
       "[[runs]]",
       "Runs every method at every resolution. The runs of one table form one ladder, whose order of "
-      "convergence is in "
-      "orders.csv.",
+      "convergence is in orders.csv.",
       {{"methods", key_holds::texts, "Names of methods: see `femsph list`.", true},
        {"spacing", key_holds::quantities(dimension::length),
-        "Particle spacings, or edges of cells. Either this or \"divisions\"."},
+        "Particle spacings, or edge lengths of cells. Either this or \"divisions\"."},
        {"divisions", key_holds::texts, "Cells along the axes, such as [\"20x2\", \"40x4\"]."},
        {"cases", key_holds::texts, "A name for each resolution. \"20x2\" or \"d=20mm\" unless given."},
        {"quick", key_holds::texts, "Which of these cases --quick runs. None unless given."},
@@ -28,8 +27,9 @@ KeyTable run_keys() {
        {"smoothing_lengths", key_holds::numbers,
         "SPH with each of these smoothing lengths, h over the spacing; each counts as a method."},
        {"safety", key_holds::number,
-        "The step over the critical step, up to 2 (above 1 only to show the instability). 0.9 unless given."},
-       {"step", key_holds::quantity(dimension::time), "A fixed step, instead of \"safety\"."},
+        "The time step over the critical step, up to 2 (above 1 only to show the instability). 0.9 unless "
+        "given."},
+       {"step", key_holds::quantity(dimension::time), "A fixed time step, instead of \"safety\"."},
        {"label", key_holds::text,
         "A name for the method in tables; only with one method. Its name and options unless given."}}};
 }
@@ -38,10 +38,9 @@ KeyTable limit_keys() {
   return {
       "[limit]",
       "The converged static solution of the elastic body, by FEM of high degree, to compare with. It holds "
-      "for "
-      "every scene that [[limits]] does not name.",
+      "for every scene that [[limits]] does not name.",
       {{"divisions", "a text: cells along the axes, such as \"100x10\"", "The mesh of the solution.", true},
-       {"degree", key_holds::count, "Of the shape functions, 1 to 8. 4 unless given."}}};
+       {"degree", key_holds::count, "The degree of the shape functions, 1 to 8. 4 unless given."}}};
 }
 
 KeyTable scene_limit_keys() {
@@ -51,7 +50,7 @@ KeyTable scene_limit_keys() {
           {{"scene", "a text: the file of a scene that a run uses", "The scene that it holds for.", true},
            {"divisions", "a text: cells along the axes, such as \"100x10\"", "The mesh of the solution.",
             false, "unless \"ladder\" is given"},
-           {"degree", key_holds::count, "Of the shape functions, 1 to 8. 4 unless given."},
+           {"degree", key_holds::count, "The degree of the shape functions, 1 to 8. 4 unless given."},
            {"ladder", "a text: the name of a method in tables",
             "The method whose three or more spacings are extrapolated.", false,
             "unless \"divisions\" is given"}}};
@@ -81,9 +80,10 @@ std::vector<Resolution> read_resolutions(Fields& fields, int dim) {
   const auto spacings = fields.quantities("spacing", Need::optional, dimension::length, Sign::positive);
   const auto divisions = fields.texts("divisions", Need::optional, divisions_expected);
   if (fields.has("spacing") == fields.has("divisions")) {
-    fields.fault("spacing",
-                 "expected either \"spacing\", such as [\"20 mm\", \"10 mm\"], or \"divisions\", such as "
-                 "[\"20x2\", \"40x4\"]");
+    if (!fields.misspelt({"spacing", "divisions"}))
+      fields.fault("spacing",
+                   "expected either \"spacing\", such as [\"20 mm\", \"10 mm\"], or \"divisions\", such as "
+                   "[\"20x2\", \"40x4\"]");
     return all;
   }
   for (const double spacing : spacings.value_or(std::vector<double>{})) all.push_back({spacing, {}});
@@ -128,7 +128,7 @@ std::vector<std::optional<double>> read_smoothing_lengths(Fields& fields, const 
                                                           const Overrides& overrides) {
   const char* const key = "smoothing_lengths";
   if (fields.has("supports")) {
-    fields.accept("supports");  // one message: not that it is unknown as well
+    fields.accept("supports");  // no second message that the key is unknown
     fields.fault("supports", "\"supports\" is the old name of \"smoothing_lengths\"; expected the new name");
     return {std::nullopt};
   }
@@ -136,7 +136,7 @@ std::vector<std::optional<double>> read_smoothing_lengths(Fields& fields, const 
   const OptionRange& range = *method_option("smoothing").range;
   if (!given) return {std::nullopt};
   if (given->empty() || std::any_of(given->begin(), given->end(), [&](double h) { return !range.holds(h); }))
-    fields.fault(key, fmt::format("\"smoothing_lengths\" holds something else than {}; expected smoothing "
+    fields.fault(key, fmt::format("\"smoothing_lengths\" holds a value that is not {}; expected smoothing "
                                   "lengths over the spacing, such as [1.0, 1.2, 1.4]",
                                   range.describe()));
   if (overrides.has("smoothing") || fields.has("label"))
@@ -151,8 +151,8 @@ std::string smoothing_label(const std::optional<double>& smoothing) {
   return smoothing ? fmt::format(" h={:g}d", *smoothing) : "";
 }
 
-/// FEM of bodies with their own cells (mesh files) has one resolution, whatever the spacing: several would
-/// repeat the same run.
+/// FEM of bodies whose shapes are made of cells (mesh files) has one resolution, whatever the spacing:
+/// several would repeat the same run.
 void refuse_same_cells(Fields& fields, const Scene* scene, const std::vector<Method>& chosen,
                        std::size_t resolutions) {
   if (!scene || resolutions < 2 ||
@@ -161,22 +161,25 @@ void refuse_same_cells(Fields& fields, const Scene* scene, const std::vector<Met
     return;
   for (const Method& method : chosen)
     if (method.is_fem())
-      fields.fault(fields.has("spacing") ? "spacing" : "divisions",
-                   fmt::format("{} resolutions for {}, but every body brings its own cells; expected one",
-                               resolutions, method.name));
+      fields.fault(
+          fields.has("spacing") ? "spacing" : "divisions",
+          fmt::format("{} resolutions for {}, but the cells of every body come from its shape; expected one",
+                      resolutions, method.name));
 }
 
 void one_block(Fields& fields, StudyReading& reading, int ladder) {
   const std::string file =
       fields.text("scene", Need::optional, "the file of a scene").value_or(reading.default_scene);
-  const Scene* scene = scene_of(fields, "scene", file, reading);
+  const Scene* scene = fields.misspelt({"scene"}) ? nullptr : scene_of(fields, "scene", file, reading);
   std::size_t faults = reading.faults.size();
   std::vector<Method> chosen = read_methods(fields, Need::required);
   const std::size_t before = reading.faults.size();
   const auto resolutions = read_resolutions(fields, scene ? scene->dim() : 0);
-  const auto cases = read_cases(fields, resolutions, reading.faults.size() == before);
+  const bool misspelt = fields.misspelt(
+      {"scene", "methods", "spacing", "divisions", "cases", "label", "options", "smoothing_lengths"});
+  const auto cases = read_cases(fields, resolutions, !misspelt && reading.faults.size() == before);
   const auto label = fields.text("label", Need::optional, "a name for the method in tables");
-  if (reading.faults.size() > faults) reading.runs_known = false;
+  if (misspelt || reading.faults.size() > faults) reading.runs_known = false;
   const auto quick = read_names(fields, "quick", cases, "case", reading.runs_known);
   const auto step = fields.quantity("step", Need::optional, dimension::time, Sign::positive);
   const std::string safety_expected =
@@ -228,6 +231,7 @@ std::optional<std::array<int, 3>> parse_divisions(const std::string& text) {
 
 void read_runs(Fields& root, StudyReading& reading) {
   int ladder = 0;
+  if (root.misspelt({"runs", "studies"})) reading.runs_known = false;
   for (Fields& fields : root.tables("runs")) one_block(fields, reading, ladder++);
 }
 
@@ -261,8 +265,8 @@ LimitSpec ladder_limit(Fields& fields, const std::string& scene, const StudyRead
   const auto rungs = std::count_if(study.runs.begin(), study.runs.end(), [&](const PlannedRun& run) {
     return run.label == limit.ladder && run.scene == scene;
   });
-  if (require_known(fields, "ladder", "method", limit.ladder, method_labels(study), reading.runs_known) &&
-      rungs < 3 && reading.runs_known)
+  if (!limit.ladder.empty() && reading.runs_known &&
+      require_known(fields, "ladder", "method", limit.ladder, method_labels(study), true) && rungs < 3)
     fields.fault(
         "ladder", fmt::format("{} runs {} at {} spacings; expected three or more to extrapolate from",
                               in_quotes(limit.ladder), in_quotes(scene), rungs));
@@ -271,9 +275,10 @@ LimitSpec ladder_limit(Fields& fields, const std::string& scene, const StudyRead
 
 void scene_limit(Fields& fields, StudyReading& reading) {
   const auto name = read_scene_name(fields, Need::required, reading);
-  if (!name) return fields.accept_rest();
-  const LimitSpec limit = fields.has("ladder") ? ladder_limit(fields, *name, reading)
-                                               : one_limit(fields, reading.study.scenes.at(*name).dim());
+  if (!name) return fields.accept_rest(), fields.done();
+  const bool by_ladder = fields.has("ladder") || fields.misspelt({"ladder"});
+  const LimitSpec limit = by_ladder ? ladder_limit(fields, *name, reading)
+                                    : one_limit(fields, reading.study.scenes.at(*name).dim());
   fields.done();
   reading.study.limits[*name] = limit;
 }
@@ -286,6 +291,7 @@ void read_limit(Fields& root, StudyReading& reading) {
     reading.study.limit = one_limit(*fields, 0);
     fields->done();
   }
+  if (root.misspelt({"limit", "limits"})) reading.limits_known = false;
   for (Fields& fields : root.tables("limits")) scene_limit(fields, reading);
 }
 

@@ -32,15 +32,18 @@ void one_series(Fields& fields, StudyReading& reading) {
   const Study& study = reading.study;
   SeriesSpec series;
   series.file = read_file_name(fields);
-  series.kind = fields.choice("kind", Need::required, series_kinds).value_or(Kind::error);
+  const auto kind = fields.choice("kind", Need::required, series_kinds);
+  if (!kind) return fields.accept_rest(), fields.done();
+  series.kind = *kind;
   series.cases = read_names(fields, "cases", case_names(study), "case", reading.runs_known);
   series.methods = read_names(fields, "methods", method_labels(study), "method", reading.runs_known);
   if (series.kind == Kind::error || series.kind == Kind::cases) {
     const auto known = quantity_names(study);
-    series.quantity = fields.text("quantity", Need::required, one_of(known)).value_or("");
+    const auto quantity = fields.text("quantity", Need::required, one_of(known));
+    series.quantity = quantity.value_or("");
     series.reference =
         fields.choice("reference", Need::optional, series_references).value_or(Reference::theory);
-    if (!series.quantity.empty())
+    if (quantity)
       require_known(fields, "quantity", "quantity", series.quantity, known, reading.quantities_known);
   } else {
     series.scene = read_scene_name(fields, Need::optional, reading);
@@ -55,7 +58,8 @@ void one_series(Fields& fields, StudyReading& reading) {
     if (series.kind == Kind::history)
       series.time_unit = read_unit(
           fields, "time_unit", fields.text("time_unit", Need::optional).value_or("ms"), "s");
-    if (series.observed.section.empty() == (series.kind == Kind::profile))
+    if (series.observed.section.empty() == (series.kind == Kind::profile) &&
+        !fields.misspelt({"probe", "section", "energy", "scalar", "column"}))
       fields.fault("kind",
                    "\"kind\" does not fit; expected \"profile\" with a section, \"history\" with a probe or "
                    "an energy");
@@ -67,26 +71,28 @@ void one_series(Fields& fields, StudyReading& reading) {
 }  // namespace
 
 KeyTable series_keys() {
-  return {"[[series]]", "A file under data/ for figures.",
-          joined({{"file", key_holds::text, "The name of the file, ending in .csv.", true},
-                  {"kind", key_holds::words(series_kinds),
-                   "The error of a quantity over the spacing, or over the cases; a history; the profile of a "
-                   "section; or a path: one history over another.",
-                   true},
-                  {"cases", key_holds::texts, "Only of these cases."},
-                  {"methods", key_holds::texts, "Only of these labels (names of methods in tables)."},
-                  {"quantity", "a text: a quantity of this study", "The quantity whose error is written.",
-                   false, "with kind \"error\" or \"cases\""},
-                  {"reference", key_holds::words(series_references),
-                   "What the errors are measured against. \"theory\" unless given."},
-                  scene_key("The scene whose theory is written. That of the first run unless given."),
-                  theory_key(),
-                  {"time_unit", "a text: a unit of time", "Of a history. \"ms\" unless given."}},
-                 observed_keys())};
+  return {
+      "[[series]]", "A file under data/ for figures.",
+      joined({{"file", key_holds::text, "The name of the file, ending in .csv.", true},
+              {"kind", key_holds::words(series_kinds),
+               "The error of a quantity over the spacing, or over the cases; a history; the profile of a "
+               "section; or a path: one history over another.",
+               true},
+              {"cases", key_holds::texts, "Only of these cases."},
+              {"methods", key_holds::texts, "Only of these labels (names of methods in tables)."},
+              {"quantity", "a text: a quantity of this study", "The quantity whose error is written.", false,
+               "with kind \"error\" or \"cases\""},
+              {"reference", key_holds::words(series_references),
+               "What the errors are measured against. \"theory\" unless given."},
+              scene_key("The scene whose theory is written. That of the first run unless given."),
+              theory_key(),
+              {"time_unit", "a text: a unit of time", "The unit of time of a history. \"ms\" unless given."}},
+             observed_keys())};
 }
 
 KeyTable series_along_keys() {
-  return {"[series.along]", "With kind \"path\", as an inline table: what the abscissa is.", observed_keys()};
+  return {"[series.along]", "With kind \"path\", as an inline table: what is read for the abscissa.",
+          observed_keys()};
 }
 
 void read_series(Fields& root, StudyReading& reading) {

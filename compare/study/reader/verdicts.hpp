@@ -1,5 +1,5 @@
 #pragma once
-// Did a run stay stable? Bounds that every row must keep, failures that must occur, and the verdict on each
+// Whether runs are stable: bounds that every row must keep, failures that must occur, and the verdict on each
 // row.
 
 #include <algorithm>
@@ -44,7 +44,7 @@ std::vector<JudgedRow> judge(const std::vector<Bound>& bounds, const std::vector
 
 /// case, method, verdict, reason, the drifts, quantity, value, reference, error_percent, steps, cpu_s.
 std::string csv(const std::vector<JudgedRow>& judged);
-/// The counts, and one table for people.
+/// The counts of the verdicts, and one table.
 std::string markdown(const std::vector<JudgedRow>& judged);
 
 }  // namespace femsph::compare

@@ -16,7 +16,8 @@ double read_hardening(Fields& fields, double young) {
   const auto ratio = fields.number("tangent_ratio", Need::optional, range);
   if (ratio && !(*ratio >= 0 && *ratio < 1))
     fields.fault("tangent_ratio", fmt::format("\"tangent_ratio\" is {}; expected {}", *ratio, range));
-  if (fields.has("hardening") == fields.has("tangent_ratio"))
+  if (fields.has("hardening") == fields.has("tangent_ratio") &&
+      !fields.misspelt({"hardening", "tangent_ratio", "johnson_cook"}))
     fields.fault(fields.has("hardening") ? "hardening" : "law",
                  fmt::format("{} in {}; expected one of them: \"hardening\" is H, Pa per plastic strain, "
                              "\"tangent_ratio\" is r = Et/E, H = E r / (1 - r)",
@@ -62,7 +63,7 @@ JohnsonCook read_johnson_cook(Fields& material, double density) {
         "melting",
         fmt::format("\"melting\" is {:g} K, not above \"room\", {:g} K; expected the higher of the two",
                     jc.melting, jc.room));
-  if (!hot)
+  if (!hot && !table->misspelt({"melting"}))
     for (const char* key : {"m", "room", "temperature", "heat_capacity", "heat_share"})
       if (table->has(key))
         table->fault(
@@ -157,20 +158,20 @@ Plasticity Plastic::read(Fields& fields, const LawInput& in) {
     fields.quantity("hardening", Need::optional, dimension::pressure);
     fields.number("tangent_ratio", Need::optional);
   } else {
+    fields.accept("johnson_cook");  // for "did you mean"
     p.hardening = read_hardening(fields, in.constants.young);
   }
-  p.tension = fields
-                  .choice<TensionRule>("tension", Need::optional,
-                                       {{"none", TensionRule::none},
-                                        {"sign", TensionRule::sign},
-                                        {"principal", TensionRule::principal}})
-                  .value_or(TensionRule::none);
+  const auto tension = fields.choice<TensionRule>(
+      "tension", Need::optional,
+      {{"none", TensionRule::none}, {"sign", TensionRule::sign}, {"principal", TensionRule::principal}});
+  const bool tension_faulty = fields.misspelt({"tension"}) || (fields.has("tension") && !tension);
+  p.tension = tension.value_or(TensionRule::none);
   const bool limited = p.tension != TensionRule::none;
   p.tensile_strength = fields
                            .quantity("tensile_strength", limited ? Need::required : Need::optional,
                                      dimension::pressure, Sign::positive)
                            .value_or(0);
-  if (!limited && fields.has("tensile_strength"))
+  if (!limited && fields.has("tensile_strength") && !tension_faulty)
     fields.fault(
         "tensile_strength",
         "\"tensile_strength\" without a tension rule; expected tension = \"sign\" or \"principal\" with it");

@@ -46,9 +46,7 @@ void read_bars(Fields& root, Reading& reading) {
     const auto area = fields.quantity("area", Need::required, dimension::area, Sign::positive);
     const auto material = fields.text("material", Need::required, "the name of a material");
     fields.done();
-    if (material && !materials.empty() && !reading.scene.materials.count(*material))
-      fields.fault("material", fmt::format("unknown material {}; expected {}{}", in_quotes(*material),
-                                           one_of(materials), did_you_mean(*material, materials)));
+    if (material && !materials.empty()) fields.position_of(*material, materials, "material", "material");
     if (!body || !from || !to || !area || !material) continue;
     const auto known = reading.scene.materials.find(*material);
     if (known != reading.scene.materials.end())

@@ -39,12 +39,9 @@ std::optional<std::array<std::size_t, 2>> read_between(Fields& fields, const Rea
   if (names.empty()) return {};  // said where bodies are read
   std::array<std::size_t, 2> between{};
   for (int k = 0; k < 2; ++k) {
-    const auto found = std::find(names.begin(), names.end(), (*given)[k]);
-    if (found == names.end())
-      return fields.fault("between", fmt::format("unknown body {}; expected {}{}", in_quotes((*given)[k]),
-                                                 one_of(names), did_you_mean((*given)[k], names))),
-             std::nullopt;
-    between[k] = std::size_t(found - names.begin());
+    const auto body = fields.position_of((*given)[k], names, "between", "body");
+    if (!body) return {};
+    between[k] = *body;
   }
   if (reading.scene.bodies[between[0]].rigid && reading.scene.bodies[between[1]].rigid)
     return fields.fault("between", "both bodies are rigid; expected one at least that deforms"), std::nullopt;

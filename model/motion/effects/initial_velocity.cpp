@@ -69,9 +69,10 @@ void read_initial_velocities(Fields& root, Reading& reading) {
     const auto centre = fields.vector("centre", Need::optional, dimension::length, reading.dim);
     const auto profile = read_profile(fields, reading.dim);
     fields.done();
-    if (!fields.has("velocity") && !fields.has("spin") && !fields.has("gradient"))
+    const bool misspelt = fields.misspelt({"velocity", "spin", "gradient"});
+    if (!misspelt && !fields.has("velocity") && !fields.has("spin") && !fields.has("gradient"))
       fields.fault("body", "no motion in [[initial]]; expected \"velocity\", \"spin\" or \"gradient\"");
-    if (fields.has("centre") && !fields.has("spin") && !fields.has("gradient"))
+    if (!misspelt && fields.has("centre") && !fields.has("spin") && !fields.has("gradient"))
       fields.fault("centre", "\"centre\" without \"spin\" or \"gradient\"; expected one of them with it");
     if (!body) continue;
     if (reading.scene.bodies[*body].rigid)

@@ -28,8 +28,9 @@ void read_loads(Fields& root, Reading& reading) {
   for (Fields& fields : root.tables("loads")) {
     const auto place = read_place(fields, reading);
     const bool by_pressure = fields.has("pressure");
+    const bool needs_force = !by_pressure && !fields.misspelt({"pressure"});
     const auto force = fields.vector(
-        "force", by_pressure ? Need::optional : Need::required, dimension::force, reading.dim);
+        "force", needs_force ? Need::required : Need::optional, dimension::force, reading.dim);
     const auto pressure = fields.quantity("pressure", Need::optional, dimension::pressure);
     const auto history = read_history(fields);
     fields.done();

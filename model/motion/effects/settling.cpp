@@ -65,9 +65,10 @@ void read_settling(Fields& root, Reading& reading) {
                   "\"rate\" with method = \"kinetic\", which damps nothing; expected it only with method = "
                   "\"damping\"");
   fields->done();
-  const bool faulty_elsewhere = !reading.faults.empty() &&
-                                (root.has("loads") || root.has("initial") || root.has("gravity") ||
-                                 root.has("initial_displacements"));
+  const bool faulty_elsewhere =
+      root.misspelt({"loads", "initial", "gravity", "initial_displacements", "materials", "bodies"}) ||
+      (!reading.faults.empty() && (root.has("loads") || root.has("initial") || root.has("gravity") ||
+                                   root.has("initial_displacements")));
   if (!something_moves(reading.scene) && !faulty_elsewhere)
     root.fault("settling",
                "nothing could move that would settle; expected [[loads]], [gravity] or [[initial]] with a "

@@ -146,11 +146,8 @@ void read_rigid_support(Fields& fields, const Place& place, Reading& reading) {
   Support support{place, {}, {}};
   const auto components = fields.texts("fix", Need::required, expected);
   for (const std::string& component : components.value_or(std::vector<std::string>{})) {
-    const auto found = std::find(all.begin(), all.end(), component);
-    if (found == all.end())
-      fields.fault("fix", fmt::format("unknown component {}; expected {}{}", in_quotes(component),
-                                      one_of(all), did_you_mean(component, all)));
-    else if (component.starts_with("turn"))
+    if (!fields.position_of(component, all, "fix", "component")) continue;
+    if (component.starts_with("turn"))
       support.fixed_turn[component == "turn" ? 2 : component.back() - 'x'] = true;
     else
       support.fixed[component[0] - 'x'] = true;
@@ -181,7 +178,7 @@ void read_supports(Fields& root, Reading& reading) {
     if (velocity && mean == true)
       fields.fault("velocity",
                    "\"velocity\" with mode = \"mean\"; expected it only on a support that holds every point");
-    if (fields.has("history") && !fields.has("velocity"))
+    if (fields.has("history") && !fields.has("velocity") && !fields.misspelt({"velocity"}))
       fields.fault("history", "\"history\" without \"velocity\"; expected both, or neither");
     if (velocity && fixed)
       for (int c = 0; c < 3; ++c)

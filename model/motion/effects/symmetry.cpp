@@ -30,11 +30,7 @@ void read_symmetries(Fields& root, Reading& reading) {
     const Source source = fields.source("at");
     fields.done();
     if (!body || !side) continue;
-    if (std::find(known.begin(), known.end(), *side) == known.end()) {
-      fields.fault("at", fmt::format("unknown side {}; expected {}{}", in_quotes(*side), one_of(known),
-                                     did_you_mean(*side, known)));
-      continue;
-    }
+    if (!fields.position_of(*side, known, "at", "side")) continue;
     auto& planes = reading.scene.symmetries;
     const bool again = std::any_of(planes.begin(), planes.end(), [&](const Symmetry& s) {
       return s.place.body == *body && s.place.sides[0] == *side;

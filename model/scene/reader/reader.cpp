@@ -42,7 +42,7 @@ void read_model(Fields& root, Reading& reading) {
   reading.scene.plane = plane.value_or(Plane::stress);
   reading.scene.large_motion = large.value_or(false);
   if (plane) reading.dim = reading.scene.dim();
-  reading.motion_known = large || !model->has("motion");
+  reading.motion_known = large || (!model->has("motion") && !model->misspelt({"motion"}));
 }
 
 KeyTable time_keys() {

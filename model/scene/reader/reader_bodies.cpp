@@ -64,8 +64,9 @@ void warn_of_bad_corners(const Fields& fields, const Shape* shape, const Reading
 /// The keys of a rigid body besides its shape: its mass.
 void read_rigid_body(Fields& fields, Body& body, const Reading& reading) {
   const bool by_density = fields.has("density") && !fields.has("mass");
+  const bool needs_mass = !by_density && !fields.misspelt({"density"});
   const auto mass = fields.quantity(
-      "mass", by_density ? Need::optional : Need::required, dimension::mass, Sign::positive);
+      "mass", needs_mass ? Need::required : Need::optional, dimension::mass, Sign::positive);
   const auto density = fields.quantity("density", Need::optional, dimension::density, Sign::positive);
   if (fields.has("mass") && fields.has("density"))
     fields.fault("density", "both \"mass\" and \"density\" are given; expected one of them");
@@ -96,8 +97,8 @@ Body read_body(const std::string& name, Fields& fields, const Reading& reading) 
   Body body{name, read_shape(fields, reading.dim, reading.folder), 1.0, ""};
   warn_of_bad_corners(fields, body.shape.get(), reading);
   const auto rigid = fields.flag("rigid", Need::optional);
-  if (!rigid && fields.has("rigid"))
-    return fields.accept_rest(), body;  // it is not known which keys the body should have
+  if (!rigid && (fields.has("rigid") || fields.misspelt({"rigid"})))
+    return fields.accept_rest(), fields.done(), body;  // it is not known which keys the body should have
   body.rigid = rigid.value_or(false);
   if (body.rigid) return read_rigid_body(fields, body, reading), body;
   const Need need = reading.dim == 2 ? Need::required : Need::optional;
@@ -109,9 +110,8 @@ Body read_body(const std::string& name, Fields& fields, const Reading& reading) 
 
   const auto materials = material_names(reading.scene);
   body.material = fields.text("material", Need::required, "the name of a material").value_or("");
-  if (!body.material.empty() && !materials.empty() && !reading.scene.materials.count(body.material))
-    fields.fault("material", fmt::format("unknown material {}; expected {}{}", in_quotes(body.material),
-                                         one_of(materials), did_you_mean(body.material, materials)));
+  if (!body.material.empty() && !materials.empty())
+    fields.position_of(body.material, materials, "material", "material");
   fields.done();
   return body;
 }

@@ -43,11 +43,7 @@ std::optional<std::size_t> read_body_of(Fields& fields, const Reading& reading) 
                                 names.empty() ? "the name of a body" : one_of(names));
   if (names.empty()) return {};
   if (!name) return names.size() == 1 && !fields.has("body") ? std::optional<std::size_t>(0) : std::nullopt;
-  const auto found = std::find(names.begin(), names.end(), *name);
-  if (found != names.end()) return found - names.begin();
-  fields.fault("body", fmt::format("unknown body {}; expected {}{}", in_quotes(*name), one_of(names),
-                                   did_you_mean(*name, names)));
-  return {};
+  return fields.position_of(*name, names, "body", "body");
 }
 
 std::optional<std::size_t> read_deformable(Fields& fields, const Reading& reading, const char* what) {

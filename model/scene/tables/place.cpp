@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <sstream>
 
+#include "model/input/lookup.hpp"
 #include "model/scene/place_extent.hpp"
 #include "model/scene/tables/reading.hpp"
 
@@ -81,8 +82,8 @@ std::optional<std::vector<std::string>> read_sides(const Fields& fields, const s
     if (const auto why = why_unusable(shape, word)) return fields.fault("at", *why), std::nullopt;
     const std::optional<std::string> side = word == whole_body ? word : side_named(shape, word);
     if (!side)
-      return fields.fault("at", fmt::format("unknown side {}; expected {}{}", in_quotes(word), one_of(known),
-                                            did_you_mean(word, known))),
+      return fields.fault(
+                 "at", fmt::format("unknown side {}{}", in_quotes(word), expected_names(word, known))),
              std::nullopt;
     if (std::find(sides.begin(), sides.end(), *side) != sides.end())
       return fields.fault(
@@ -130,7 +131,8 @@ std::optional<Place> read_place(Fields& fields, const Reading& reading) {
   const bool by_point = fields.has("point");
   const bool rigid = body && reading.scene.bodies[*body].rigid;
   // A body without a material is rigid, or has a fault.
-  const bool needs_at = !by_point && body && !reading.scene.bodies[*body].material.empty();
+  const bool needs_at = !by_point && !fields.misspelt({"point"}) && body &&
+                        !reading.scene.bodies[*body].material.empty();
   const auto at = fields.text("at", needs_at ? Need::required : Need::optional, expected);
   const auto point = fields.vector("point", Need::optional, dimension::length, reading.dim);
   const auto within = fields.corners("within", Need::optional, dimension::length, reading.dim);
