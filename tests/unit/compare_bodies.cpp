@@ -148,7 +148,7 @@ TEST(Sweep, WindowsAndDurationsThatTheHistoryDoesNotHold) {
   EXPECT_THAT(message_of([&] {
                 reduce(of_column("x", Reduce::duration), history({0, 1, 2}, {0, 1, 0}), scene, nullptr);
               }),
-              HasSubstr("in one sample only"));
+              HasSubstr("only one sample of the history is not zero"));
 }
 
 TEST(Sweep, AColumnInAnotherUnitIsRefused) {
@@ -217,7 +217,7 @@ TEST(Premises, OfTheBarAndTheCantilever) {
                       }),
               HasSubstr("a plane of symmetry"));
   EXPECT_THAT(refused("cantilever_tip", cantilever(), [](Scene& s) { s.bars.push_back({}); }),
-              HasSubstr("bars in it"));
+              HasSubstr("this body has reinforcing bars"));
   EXPECT_THAT(
       refused("cantilever_tip", cantilever(), [](Scene& s) { s.initial_displacements.push_back({}); }),
       HasSubstr("an initial displacement"));

@@ -163,8 +163,8 @@ TEST(Command, DivisionsForParticlesMustMeanOneSpacing) {
   EXPECT_EQ(of_resolution(scene, "sph", {}, {100, 10}), "");
   EXPECT_DOUBLE_EQ(spacing_of(*scene.bodies[0].shape, {0, {100, 10, 0}}), 0.01);
   EXPECT_EQ(of_resolution(scene, "sph", {}, {50, 10}),
-            "--divisions: SPH has one spacing, and these divisions of the box 1000 x 100 mm mean 20 mm along "
-            "x and 10 mm along y; give a spacing");
+            "--divisions: SPH has one spacing, and these divisions of the box 1000 x 100 mm give 20 mm along "
+            "x and 10 mm along y; expected a spacing");
 }
 
 TEST(Command, AdviceIsNotConfirmedByTheSameMethodTwice) {

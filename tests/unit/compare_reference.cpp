@@ -50,7 +50,7 @@ TEST(Reference, ALimitIsDoubtedWhenItsRefinementsDoNotConverge) {
   EXPECT_EQ(doubt_of(tip(), scene, known(-4.6e-3, -4.75e-3, -4.7875e-3)), "");
   const std::string doubt = doubt_of(tip(), scene, known(-4.79e-3, -4.80e-3, -4.81e-3));
   EXPECT_THAT(doubt, AllOf(HasSubstr("refinement changes it by 0.21 %, then by 0.21 %"),
-                           HasSubstr("does not fall as it would on the way to a limit")));
+                           HasSubstr("the changes do not decrease as they do towards a limit")));
   // 1/h, as under a force on a point in space: the change doubles.
   EXPECT_THAT(doubt_of(tip(), scene, known(-1e-3, -2e-3, -4e-3)), HasSubstr("by 25 %, then by 50 %"));
   // The slowest that converges here, r^2 lambda with lambda = 0.758 of the clamped corner: 0.35 each time.

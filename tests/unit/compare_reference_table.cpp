@@ -40,14 +40,14 @@ TEST_F(ReferenceFile, IsComparedInSiOverTheTimesInCommon) {
 }
 
 TEST_F(ReferenceFile, SaysWhatIsWrongWithItsLine) {
-  EXPECT_THAT(
-      message("time,tip\n0,1\n1,1\n"), HasSubstr("x.csv:1: a column is called \"time\"; expected its unit"));
-  EXPECT_THAT(message("time [s],tip [N]\n0,1\n1,1\n"), HasSubstr("a unit of the same kind as \"m\""));
+  EXPECT_THAT(message("time,tip\n0,1\n1,1\n"),
+              HasSubstr("x.csv:1: the column \"time\" has no unit; expected it in brackets"));
+  EXPECT_THAT(message("time [s],tip [N]\n0,1\n1,1\n"), HasSubstr("expected one of the same kind as \"m\""));
   EXPECT_THAT(
       message("time [s],tip [m]\n0,1\n1,\n"), HasSubstr("x.csv:3: \"1,\" is not a row of two numbers"));
   EXPECT_THAT(message("time [s],tip [m]\n0,1\n1,nan\n"), HasSubstr("x.csv:3:"));
   EXPECT_THAT(message("time [s],tip [m]\n0,1\n0,2\n"), HasSubstr("x.csv:3: the times do not increase"));
-  EXPECT_THAT(message("time [s],tip [m]\n0,1\n"), HasSubstr("two rows or more"));
+  EXPECT_THAT(message("time [s],tip [m]\n0,1\n"), HasSubstr("at least two rows"));
 }
 
 }  // namespace

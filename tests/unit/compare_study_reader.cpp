@@ -163,7 +163,7 @@ TEST_F(StudyReader, FaultsInPaperAndClaims) {
                                "method = \"sph-corrected smoothing=1.2 kernel=wendland-c2\", quantity")),
               HasSubstr("no run of the study gives 1_1 sph-corrected"));
   EXPECT_EQ(message(replaced(good_study, "bound = 10", "bond = 10")),
-            "study.toml:44:1: unknown key \"bond\" in [[claims]]; expected \"id\", \"source\", \"text\", "
+            "study.toml:47:1: unknown key \"bond\" in [[claims]]; expected \"id\", \"source\", \"text\", "
             "\"note\", \"reference\", \"kind\", \"rows\" or \"bound\"; did you mean \"bound\"?");
 }
 

@@ -101,7 +101,7 @@ TEST(Theory, RefusesOtherScenes) {
   scene = cantilever();
   scene.loads[0].history = {{0, 0.01}, {0, 1}};
   EXPECT_NO_THROW(value("cantilever_tip", scene));
-  EXPECT_THAT(message_of([&] { value("cantilever_tip_peak", scene); }), HasSubstr("no step"));
+  EXPECT_THAT(message_of([&] { value("cantilever_tip_peak", scene); }), HasSubstr("not a step"));
   scene = cantilever();
   scene.bodies.push_back(scene.bodies[0]);
   EXPECT_THAT(message_of([&] { value("cantilever_tip", scene); }), HasSubstr("2 bodies"));

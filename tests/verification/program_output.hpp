@@ -1,6 +1,7 @@
 #pragma once
 // Runs the program as a user does.
 
+#include <fmt/format.h>
 #include <sys/wait.h>
 
 #include <array>
@@ -17,7 +18,7 @@ struct Outcome {
 /// Runs `femsph ARGUMENTS` in a shell.
 inline Outcome run_femsph(const std::string& arguments) {
   Outcome o{-1, {}};
-  FILE* pipe = popen((std::string(FEMSPH_PROGRAM) + " " + arguments + " 2>&1").c_str(), "r");
+  FILE* pipe = popen(fmt::format("{} {} 2>&1", FEMSPH_PROGRAM, arguments).c_str(), "r");
   std::array<char, 4096> buffer;
   while (const std::size_t n = fread(buffer.data(), 1, buffer.size(), pipe)) o.text.append(buffer.data(), n);
   o.code = WEXITSTATUS(pclose(pipe));

@@ -98,7 +98,7 @@ TEST(SingularForce, AStudyComparesWithNoLimitUnderIt) {
   Scene unaware = scene;  // the numbers alone tell as much
   unaware.loads.clear();
   EXPECT_THAT(compare::doubt_of(quantity, unaware, known),
-              HasSubstr("which does not fall as it would on the way to a limit"));
+              HasSubstr("the changes do not decrease as they do towards a limit"));
   quantity.observed.probe = "beside";
   EXPECT_THAT(compare::doubt_of(quantity, scene, known), IsEmpty());
 }
