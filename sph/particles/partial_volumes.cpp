@@ -17,9 +17,8 @@ class HatIntegrals {
  public:
   HatIntegrals(const Shape& shape, const Lattice& lattice, const std::vector<MirrorPlane>& planes)
       : shape_(shape), lattice_(lattice), planes_(planes), dim_(shape.dim()) {
-    for (int a = 0; a < dim_; ++a)
-      cells_[a] = lattice_.count[a] - 1,
-      spacing_ = a ? std::min(spacing_, lattice_.spacing[a]) : lattice_.spacing[a];
+    for (int a = 0; a < dim_; ++a) cells_[a] = lattice.count[a] - 1;
+    spacing_ = *std::min_element(lattice.spacing.begin(), lattice.spacing.begin() + dim_);
     out_.share.assign(lattice_.at.size(), 0.0);
     out_.border.assign(lattice_.at.size(), 0);
     state_.assign(std::size_t(cells_[0]) * cells_[1] * cells_[2], full);
@@ -208,8 +207,7 @@ class HatIntegrals {
   }
 
   /// Integrates the hat functions of all places at cut cells again, over the cells of the mesh. Each is
-  /// divided into pieces that are small against a lattice cell, with two Gauss points in each direction of a
-  /// piece.
+  /// divided into pieces small against a lattice cell, with two Gauss points in each direction of a piece.
   void add_mesh(const CellMesh& mesh) {
     for (std::size_t i = 0; i < out_.share.size(); ++i)
       if (out_.border[i]) out_.share[i] = 0;

@@ -185,7 +185,7 @@ TEST(Capacity, TheEstimateIsRefusedWithASpacingThatFits) {
     } catch (const std::runtime_error& error) {
       said = error.what();
     }
-    EXPECT_THAT(said, AllOf(HasSubstr("this spacing means about 1e+12"),
+    EXPECT_THAT(said, AllOf(HasSubstr("this spacing gives about 1e+12"),
                             HasSubstr(" PB of memory; 16 GB are available; use a spacing of at least ")));
     double advised = 0;
     ASSERT_EQ(std::sscanf(said.substr(said.find("at least ")).c_str(), "at least %lf mm", &advised), 1)
