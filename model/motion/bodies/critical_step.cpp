@@ -13,7 +13,7 @@ namespace {
 
 using Vector = AlignedVector<double>;
 
-double dot(const Vector& a, const Vector& b) {
+double inner_product(const Vector& a, const Vector& b) {
   return parallel_sum(a.size(), [&](std::size_t begin, std::size_t end) {
     double s = 0;
     for (std::size_t i = begin; i < end; ++i) s += a[i] * b[i];
@@ -79,7 +79,7 @@ double largest_of(const Vector& inverse_mass, Apply&& apply) {
     seed ^= seed << 13, seed ^= seed >> 7, seed ^= seed << 17;
     q[i] = root[i] > 0 ? double(seed >> 11) / 9007199254740992.0 - 0.5 : 0.0;
   }
-  const double norm = std::sqrt(dot(q, q));
+  const double norm = std::sqrt(inner_product(q, q));
   if (norm == 0) return 0;
   for (double& v : q) v /= norm;
   std::vector<double> alpha, beta;
@@ -89,10 +89,10 @@ double largest_of(const Vector& inverse_mass, Apply&& apply) {
     for (std::size_t i = 0; i < n; ++i) x[i] = root[i] * q[i];
     apply(x.data(), y.data());
     for (std::size_t i = 0; i < n; ++i) y[i] *= root[i];
-    alpha.push_back(dot(q, y));
+    alpha.push_back(inner_product(q, y));
     const double a = alpha.back(), b = k > 0 ? beta.back() : 0.0;
     for (std::size_t i = 0; i < n; ++i) y[i] -= a * q[i] + b * before[i];
-    const double next = std::sqrt(dot(y, y));
+    const double next = std::sqrt(inner_product(y, y));
     const double theta = largest_eigenvalue(alpha, beta);
     if (next <= 1e-12 * theta) return theta;
     const double bound = theta + next * last_component(alpha, beta, theta);
