@@ -50,8 +50,10 @@ struct Options {
   Dilatation dilatation = Dilatation::automatic;     ///< corrected only
   /// Corrected only, scattered particles: weights for which a uniform stress is exact (projection.hpp).
   bool projection = true;
-  Viscosity viscosity;      ///< uncorrected only
-  double hourglass = 0.03;  ///< corrected only: coefficient of the hourglass control
+  Viscosity viscosity;  ///< classic and updated
+  /// Corrected: coefficient of the hourglass control. Updated: stiffness xi of the springs of bonds, in shear
+  /// moduli.
+  double hourglass = 0.03;
   double jitter = 0;  ///< particles moved at random by up to this share of d (tests of scattered particles)
   /// Particles of round shapes, quadrilaterals and meshes follow their sides where they can; false: a lattice
   /// that the sides cut.
@@ -72,6 +74,11 @@ struct Formulation {
   /// Its gradient is exact for linear fields everywhere, so it converges up to the surface. Options above say
   /// which of them belong to corrected formulations and which to the others.
   bool corrected = false;
+  bool initial_neighbours = true;  ///< in large motion; its rows can then be projected, and volumes averaged
+  bool viscosity = false;          ///< takes the artificial viscosity
+  bool hourglass = false;          ///< has an hourglass control
+  double bytes[2] = {
+      0, 0};  ///< in large motion, of a particle in 2D and in 3D; 0: those of initial neighbours
   std::vector<Variant> variants;
   /// Throws Refusal if the options and the scene do not go with this formulation.
   void (*check)(const Scene&, std::size_t body, const Options&, const std::vector<MirrorPlane>&);

@@ -28,8 +28,9 @@ double bytes_of_unit(const Scene& scene, const Body& body, const Method& method)
     return (dim == 2 ? 1300 : 2000) + state * element.points[dim == 2 ? 0 : 1];
   }
   const auto& options = std::get<sph::Options>(method.options);
-  const bool corrected = sph::formulation_named(options.formulation).corrected;
-  if (!corrected && scene.large_motion) return (dim == 2 ? 1500 : 2000) + state;
+  const sph::Formulation& formulation = sph::formulation_named(options.formulation);
+  const bool corrected = formulation.corrected;
+  if (scene.large_motion && formulation.bytes[0] > 0) return formulation.bytes[dim == 2 ? 0 : 1] + state;
   const bool scattered = options.jitter > 0 || sph::is_fitted(*body.shape, options);
   const double rows = scattered ? (dim == 2 ? 600 : 2200) * std::pow(options.smoothing / 1.2, dim) : 0.0;
   const double projected = corrected && options.projection ? 2 : 1;  // the rows of the adjoint are stored too

@@ -54,6 +54,9 @@ Formulation classic_formulation() {
   return {
       .word = "classic",
       .corrected = false,
+      .initial_neighbours = false,
+      .viscosity = true,
+      .bytes = {1500, 2000},
       .variants =
           {classic_variant(
                "classic-share",

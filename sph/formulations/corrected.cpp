@@ -65,6 +65,7 @@ bool wants_mean_dilatation(const Options& options, const Law& law) {
 Formulation corrected_formulation() {
   return {.word = "corrected",
           .corrected = true,
+          .hourglass = true,
           .variants = {{"corrected",
                         "corrected gradient over whole cells, with hourglass control: exact for linear "
                         "motion, second order to the surface",

@@ -55,4 +55,18 @@ inline std::unique_ptr<Discretization> updated_lagrangian(
   return make(scene, body, options, std::move(particles), kernel);
 }
 
+/// Corrected SPH on neighbours that follow the particles, with bonds that have a memory, for large motion.
+template <int dim>
+std::unique_ptr<Discretization> bond_body(const Scene& scene, std::size_t body, const Options& options,
+                                          Particles particles, const Kernel& kernel);
+extern template std::unique_ptr<Discretization> bond_body<2>(const Scene&, std::size_t, const Options&,
+                                                             Particles, const Kernel&);
+extern template std::unique_ptr<Discretization> bond_body<3>(const Scene&, std::size_t, const Options&,
+                                                             Particles, const Kernel&);
+inline std::unique_ptr<Discretization> bond_body(const Scene& scene, std::size_t body, const Options& options,
+                                                 Particles particles, const Kernel& kernel) {
+  const auto make = particles.dim == 2 ? bond_body<2> : bond_body<3>;
+  return make(scene, body, options, std::move(particles), kernel);
+}
+
 }  // namespace femsph::sph

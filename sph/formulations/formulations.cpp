@@ -9,10 +9,11 @@ namespace femsph::sph {
 
 Formulation classic_formulation();
 Formulation corrected_formulation();
+Formulation updated_formulation();
 
 const std::vector<Formulation>& formulations() {
   static const std::vector<Formulation> all = [] {
-    std::vector<Formulation> list = {classic_formulation(), corrected_formulation()};
+    std::vector<Formulation> list = {classic_formulation(), corrected_formulation(), updated_formulation()};
     for (Formulation& formulation : list)
       for (Variant& variant : formulation.variants) variant.options.formulation = formulation.word;
     return list;

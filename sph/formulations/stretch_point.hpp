@@ -73,9 +73,16 @@ struct StretchPoint {
       }
     FiniteRotation::strain<Pack, dim>(H, e);
     return volume / determinant(F) *
-           law.stored_energy(e, e, static_cast<const Pack*>(nullptr));  // the law's is per undeformed volume
+           law.stored_energy(e, law.stress(e), static_cast<const Pack*>(nullptr));  // per undeformed volume
   }
   FEMSPH_INLINE static Pack lost(const Pack*) { return Pack{}; }
+  /// det F
+  FEMSPH_INLINE static Pack volume_ratio(const Pack* own) {
+    Tensor<Pack, dim> F;
+    for (int i = 0; i < dim; ++i)
+      for (int j = 0; j < dim; ++j) F[i][j] = own[gradient + i * dim + j] + (i == j ? 1.0 : 0.0);
+    return determinant(F);
+  }
 
   static void show(const Law& law, const double* own, std::array<double, 6>& stress_out,
                    std::array<double, 6>& strain_out) {

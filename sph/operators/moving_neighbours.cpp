@@ -20,9 +20,8 @@ std::size_t MovingNeighbours::bytes() const {
 /// Two particles have come nearer by at most |m_i - t| + |m_j - t|, where m are their displacements since the
 /// search and t is any vector: here the centre of the box that holds all m. Half of the box's diagonal bounds
 /// |m - t|. Only if this bound is too large, |m - t| of each particle is computed.
-bool MovingNeighbours::stale(const double* u) const {
-  if (searched_.empty()) return true;
-  const std::size_t n = start_.size(), chunk = 4096;
+bool can_have_approached(const double* u, const double* before, const Layout& layout, double skin) {
+  const std::size_t n = layout.points, chunk = 4096;
   const auto worst_of = [&](auto&& part) {  // a maximum does not depend on the order, nor on the threads
     std::vector<std::array<double, 6>> most((n + chunk - 1) / chunk);
     parallel_for(n, chunk, [&](std::size_t begin, std::size_t end) {
@@ -33,11 +32,11 @@ bool MovingNeighbours::stale(const double* u) const {
       for (std::size_t k = 0; k < 6; ++k) all[k] = std::max(all[k], m[k]);
     return all;
   };
-  const auto moved = [&](std::size_t i, int c) { return u[layout_.at(i, c)] - searched_[layout_.at(i, c)]; };
+  const auto moved = [&](std::size_t i, int c) { return u[layout.at(i, c)] - before[layout.at(i, c)]; };
   const std::array<double, 6> box = worst_of([&](std::size_t begin, std::size_t end) {
     std::array<double, 6> most;
     most.fill(-std::numeric_limits<double>::infinity());
-    for (int c = 0; c < layout_.dim; ++c) {
+    for (int c = 0; c < layout.dim; ++c) {
       double upper = most[0], lower = most[0];  // of m and of -m
       for (std::size_t i = begin; i < end; ++i) {
         const double m = moved(i, c);
@@ -49,22 +48,22 @@ bool MovingNeighbours::stale(const double* u) const {
     return most;
   });
   double diagonal = 0, middle[3] = {};
-  for (int c = 0; c < layout_.dim; ++c) {
+  for (int c = 0; c < layout.dim; ++c) {
     diagonal += (box[std::size_t(c)] + box[std::size_t(c) + 3]) *
                 (box[std::size_t(c)] + box[std::size_t(c) + 3]);
     middle[c] = 0.5 * (box[std::size_t(c)] - box[std::size_t(c) + 3]);
   }
-  if (!(diagonal > skin_ * skin_)) return false;
+  if (!(diagonal > skin * skin)) return false;
   const double farthest = worst_of([&](std::size_t begin, std::size_t end) {
     double most = 0;
     for (std::size_t i = begin; i < end; ++i) {
       double r2 = 0;
-      for (int c = 0; c < layout_.dim; ++c) r2 += (moved(i, c) - middle[c]) * (moved(i, c) - middle[c]);
+      for (int c = 0; c < layout.dim; ++c) r2 += (moved(i, c) - middle[c]) * (moved(i, c) - middle[c]);
       most = r2 > most ? r2 : most;
     }
     return std::array<double, 6>{most};
   })[0];
-  return farthest > 0.25 * skin_ * skin_;
+  return farthest > 0.25 * skin * skin;
 }
 
 void MovingNeighbours::search(const double* u) {

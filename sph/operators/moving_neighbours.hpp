@@ -17,6 +17,10 @@
 
 namespace femsph::sph {
 
+/// Whether two points can have approached each other by `skin` (m) between two displacements; the mean
+/// displacement of the body does not count.
+bool can_have_approached(const double* u, const double* before, const Layout& layout, double skin);
+
 class MovingNeighbours {
  public:
   MovingNeighbours(std::span<const Point> start, const Layout& layout, double radius, double skin);
@@ -63,7 +67,9 @@ class MovingNeighbours {
     std::vector<std::uint32_t> begin;   ///< of each block
   };
   void search(const double* u);
-  bool stale(const double* u) const;
+  bool stale(const double* u) const {
+    return searched_.empty() || can_have_approached(u, searched_.data(), layout_, skin_);
+  }
   void fill(std::size_t chunk);
   std::size_t list(std::size_t particle, std::vector<std::int32_t>& out, std::uint16_t& near) const;
   void look_for_losses();

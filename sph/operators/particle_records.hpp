@@ -33,7 +33,10 @@ template <int lines>
 class ParticleRecords {
  public:
   static constexpr int fields = lanes * lines;
-  void resize(std::size_t particles) { data_.assign(round_up(particles, lanes) * fields, 0.0); }
+  void resize(std::size_t particles) {
+    const std::size_t size = round_up(particles, lanes) * fields;
+    if (data_.size() != size) data_.assign(size, 0.0);
+  }
   std::size_t bytes() const { return data_.size() * sizeof(double); }
 
   /// Loads the fields of eight consecutive particles; gather() those of any eight.
@@ -50,6 +53,22 @@ class ParticleRecords {
           return data_.data() + std::ptrdiff_t(index[lane]) * fields + line * lanes;
         },
         out);
+  }
+  /// The first eight fields alone.
+  FEMSPH_INLINE void gather_first(const std::int32_t* index, Pack (&out)[lanes]) const {
+    for (int l = 0; l < lanes; ++l) out[l] = load<Pack>(data_.data() + std::ptrdiff_t(index[l]) * fields);
+    transpose(out);
+  }
+  FEMSPH_INLINE void load_first(std::size_t block, Pack (&out)[lanes]) const {
+    for (int l = 0; l < lanes; ++l) out[l] = load<Pack>(&data_[(block * lanes + std::size_t(l)) * fields]);
+    transpose(out);
+  }
+  /// Fields of particle `to` = those of `from` times `sign` plus `shift`.
+  FEMSPH_INLINE void image(std::size_t to, std::size_t from, const Pack (&sign)[lines],
+                           const Pack (&shift)[lines]) {
+    for (int line = 0; line < lines; ++line)
+      store(&data_[to * fields + std::size_t(line) * lanes],
+            sign[line] * load<Pack>(&data_[from * fields + std::size_t(line) * lanes]) + shift[line]);
   }
   FEMSPH_INLINE void store_block(std::size_t block, const Pack (&fields_of)[fields]) {
     for (int line = 0; line < lines; ++line) {

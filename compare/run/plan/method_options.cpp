@@ -43,14 +43,25 @@ sph::Options& sph_of(Method& m) { return std::get<sph::Options>(m.options); }
 fem::Options& fem_of(Method& m) { return std::get<fem::Options>(m.options); }
 double number(const OptionValue& value) { return std::get<double>(value); }
 
-bool is_classic(const Method& m) {
-  return !sph::formulation_named(std::get<sph::Options>(m.options).formulation).corrected;
+const sph::Formulation& formulation_of(const Method& m) {
+  return sph::formulation_named(std::get<sph::Options>(m.options).formulation);
 }
 std::string never(const Method&) { return ""; }
-std::string unless_corrected(const Method& m) { return is_classic(m) ? "it belongs to corrected SPH" : ""; }
-std::string unless_classic(const Method& m) { return is_classic(m) ? "" : "it belongs to classic SPH"; }
+std::string unless_corrected(const Method& m) {
+  return formulation_of(m).corrected ? "" : "it belongs to corrected SPH";
+}
+std::string unless_initial(const Method& m) {
+  if (!formulation_of(m).corrected) return unless_corrected(m);
+  return formulation_of(m).initial_neighbours ? "" : "it belongs to sph-corrected, on initial neighbours";
+}
+std::string unless_classic(const Method& m) {
+  return formulation_of(m).corrected ? "it belongs to classic SPH" : "";
+}
+std::string without_viscosity(const Method& m) {
+  return formulation_of(m).viscosity ? "" : "it belongs to classic and to updated SPH";
+}
 std::string without_hourglass(const Method& m) {
-  if (!m.is_fem()) return is_classic(m) ? "classic SPH has no hourglass control" : "";
+  if (!m.is_fem()) return formulation_of(m).hourglass ? "" : "classic SPH has no hourglass control";
   return fem::element_named(std::get<fem::Options>(m.options).element).hourglass_control
              ? ""
              : "of the elements, only fem-one-point has an hourglass control";
@@ -81,10 +92,10 @@ std::vector<MethodOption> all_options() {
              {}, words_of(kernel_volumes), true, unless_corrected,
              [](Method& m, const OptionValue& v) { sph_of(m).kernel_volume = meaning(kernel_volumes, v); }),
       of_sph("dilatation",
-             "corrected SPH: the change of volume that the law is given: local (the particle's own), mean "
+             "sph-corrected: the change of volume that the law is given: local (the particle's own), mean "
              "(over its neighbours), or automatic (default: mean where Poisson's ratio is above 0.4 or the "
              "material flows plastically, except in plane stress)",
-             {}, words_of(dilatations), true, unless_corrected,
+             {}, words_of(dilatations), true, unless_initial,
              [](Method& m, const OptionValue& v) { sph_of(m).dilatation = meaning(dilatations, v); }),
       of_sph("boundary", "classic SPH: the correction for the missing neighbours beyond a surface", {},
              words_of(boundaries), false, unless_classic,
@@ -93,21 +104,23 @@ std::vector<MethodOption> all_options() {
              "sph-corrected: weights of scattered particles are projected, so that a uniform stress is exact "
              "(default "
              "true)",
-             {}, {}, false, unless_corrected,
+             {}, {}, false, unless_initial,
              [](Method& m, const OptionValue& v) { sph_of(m).projection = std::get<bool>(v); }),
-      of_sph("alpha", "classic SPH: linear coefficient of the artificial viscosity (default 0)", viscosity,
-             {}, false, unless_classic,
+      of_sph("alpha", "classic and updated SPH: linear coefficient of the artificial viscosity (default 0)",
+             viscosity, {}, false, without_viscosity,
              [](Method& m, const OptionValue& v) { sph_of(m).viscosity.alpha = number(v); }),
-      of_sph("beta", "classic SPH: quadratic coefficient of the artificial viscosity (default 0)", viscosity,
-             {}, false, unless_classic,
+      of_sph("beta", "classic and updated SPH: quadratic coefficient of the artificial viscosity (default 0)",
+             viscosity, {}, false, without_viscosity,
              [](Method& m, const OptionValue& v) { sph_of(m).viscosity.beta = number(v); }),
       of_sph("gamma",
-             "classic SPH: gamma of the artificial viscosity, which keeps it finite at small distances "
+             "classic and updated SPH: gamma of the artificial viscosity, which keeps it finite at small "
+             "distances "
              "(default 1)",
-             gamma, {}, false, unless_classic,
+             gamma, {}, false, without_viscosity,
              [](Method& m, const OptionValue& v) { sph_of(m).viscosity.gamma = number(v); }),
       {"hourglass",
-       "coefficient of the hourglass control of sph-corrected; fem-one-point takes Flanagan and Belytschko's "
+       "coefficient of the hourglass control of sph-corrected (default 0.03), or stiffness of the bonds of "
+       "sph-updated in shear moduli (default 4); fem-one-point takes Flanagan and Belytschko's "
        "control by it, instead of its physical stabilization",
        OptionRange{0, 10},
        {},
