@@ -79,7 +79,7 @@ struct Ladders {
 
   void run() {
     std::vector<bool> active(question.methods.size(), true);
-    for (const Method& method : question.methods)
+    for (const BodyMethods& method : question.methods)
       advice.methods.push_back({method, {}, {}, {}, "", {}, {}, 0, false, {}});
     for (const int divisions : ladder_divisions) {
       for (std::size_t k = 0; k < advice.methods.size(); ++k) {
@@ -117,9 +117,11 @@ void find_limits(Advice& advice) {
 
 /// A consistent method converges if there is a limit. Classic SPH is not consistent: its errors at a boundary
 /// do not vanish.
-bool consistent(const Method& method) {
-  const auto* sph = std::get_if<sph::Options>(&method.options);
-  return !sph || sph::formulation_named(sph->formulation).corrected;
+bool consistent(const BodyMethods& methods) {
+  return std::all_of(methods.entries.begin(), methods.entries.end(), [](const BodyMethod& entry) {
+    const auto* sph = std::get_if<sph::Options>(&entry.method.options);
+    return !sph || sph::formulation_named(sph->formulation).corrected;
+  });
 }
 
 /// Finds ladders of five rungs or more whose values do not converge: they change in one direction, without an
@@ -161,12 +163,12 @@ void find_reference(Advice& advice) {
   bool fem = false, sph = false;
   for (MethodEvidence& m : advice.methods) {
     m.meets = meets(m, reference);
-    if (m.meets)
-      advice.spread_percent = std::max(
-          advice.spread_percent, 100 * std::abs(*m.limit / *reference.limit - 1));
-    if (m.meets) ++advice.meeting, (m.method.is_fem() ? fem : sph) = true;
     for (std::size_t i = 0; i < m.rungs.size(); ++i)
       m.rungs[i].error = 100 * (m.values[i] / *reference.limit - 1);
+    if (!m.meets) continue;
+    advice.spread_percent = std::max(advice.spread_percent, 100 * std::abs(*m.limit / *reference.limit - 1));
+    ++advice.meeting;
+    fem = fem || m.method.all_fem(), sph = sph || m.method.all_sph();
   }
   advice.both_kinds = fem && sph;
   advice.known_percent = reference.known_percent;
@@ -241,8 +243,8 @@ void choose(const Scene& scene, const Question& question, Advice& advice) {
 
 }  // namespace
 
-std::vector<Method> usual_methods() {
-  std::vector<Method> all;
+std::vector<BodyMethods> usual_methods() {
+  std::vector<BodyMethods> all;
   for (const char* name :
        {"fem-full", "fem-sri", "fem-one-point", "fem-assumed-strain", "sph-classic-share", "sph-corrected"})
     all.push_back(method_named(name));

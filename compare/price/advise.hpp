@@ -9,7 +9,7 @@ namespace femsph::compare {
 
 struct Question {
   QuantitySpec quantity;  ///< the number whose error counts; its theory and reference are ignored
-  std::vector<Method> methods;
+  std::vector<BodyMethods> methods;
   std::optional<double> error;   ///< percent: the least time for this error
   std::optional<double> within;  ///< s of CPU: the least error in this time
   double budget = 30;            ///< s of CPU for all ladders together
@@ -18,7 +18,7 @@ struct Question {
 
 /// The runs of one method, and what they show.
 struct MethodEvidence {
-  Method method;
+  BodyMethods method;
   std::vector<int> divisions;     ///< of the shortest side; one for each rung
   std::vector<PricedRung> rungs;  ///< their errors are set once there is a reference
   std::vector<double> values;
@@ -56,7 +56,7 @@ struct Advice {
 };
 
 /// The four elements, classic (share) and corrected SPH.
-std::vector<Method> usual_methods();
+std::vector<BodyMethods> usual_methods();
 
 /// Runs the ladders. A run that fails is noted with its method. Throws Refusal if no body deforms.
 Advice advise(const Scene& scene, const Question& question, const Engine& engine);
