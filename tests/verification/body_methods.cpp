@@ -22,48 +22,68 @@ std::string ball(const char* name, const char* centre) {
 }
 
 struct Impact {
-  double force = 0, time = 0, impulse = 0;  ///< over the exact ones
-  double momentum = 0, energy = 0;          ///< changes over the run, relative to the start
+  double force = 0, time = 0, impulse = 0, approach = 0;  ///< over the exact ones
+  double momentum = 0, energy = 0;                        ///< changes over the run, relative to the start
 };
 
-/// Hertz: two equal balls meet at 60 m/s. By symmetry each meets a rigid plane at 30 m/s. With E* = E / (1 -
-/// nu^2), m = 32.882 g: force 34.202 kN on a quarter, for 26.53 us (Johnson, Contact Mechanics, 11.4; as
-/// studies/exact/hertz-30.toml); the ball at rest takes the momentum of the other, m / 4 x 60 m/s = 0.49323 N
-/// s.
-Impact collide_balls(const std::string& text) {
+Scene colliding_balls() {
   using namespace scene_text;
-  const Scene scene = parse_scene(
+  return parse_scene(
       model("none") + steel() + ball("lower", "0 0 -10 mm") + ball("upper", "0 0 10 mm") +
-          contact("upper", "lower", named("blow") + "stiffness = 10\n") +
-          initial("0 0 -60 m/s", of_body("upper")) + time("34 us", "samples = 600\n"),
+          contact("upper", "lower", named("blow") + "stiffness = 3\n") +
+          initial("0 0 -60 m/s", of_body("upper")) +
+          probe("upper", "displacement", "0 0 10 mm", of_body("upper")) +
+          probe("lower", "displacement", "0 0 -10 mm", of_body("lower")) + time("32 us", "samples = 200\n"),
       "balls.toml");
+}
+
+/// Compares with theory what the history of the balls says.
+Impact read_impact(const History& history) {
+  const auto &t = history["time"].values, &f = history["contact_blow_force_z"].values,
+             &upper = history["upper_z"].values, &lower = history["lower_z"].values;
+  Impact hit;
+  for (std::size_t k = 1; k < t.size(); ++k) {
+    hit.force = std::max(hit.force, std::abs(f[k]) / 34202.1);
+    hit.approach = std::max(hit.approach, (lower[k] - upper[k]) / (2 * 270.394e-6));
+    hit.impulse += 0.5 * (t[k] - t[k - 1]) * std::abs(f[k] + f[k - 1]) / 0.493230;
+    if (f[k] != 0 || f[k - 1] != 0) hit.time += (t[k] - t[k - 1]) / 26.53e-6;
+  }
+  return hit;
+}
+
+Impact collide_balls(const std::string& text) {
+  const Scene scene = colliding_balls();
   const compare::BodyMethods methods = compare::read_body_methods(text, &scene);
   std::vector<std::unique_ptr<Discretization>> bodies;
   for (std::size_t b = 0; b < 2; ++b) bodies.push_back(compare::discretize(scene, b, methods, {1e-3, {}}));
   March march(scene, std::move(bodies), {});
-  Impact hit;
+  Recorder recorder(march);
   std::optional<double> start;
+  double momentum_change = 0, energy_change = 0;
   MarchEvents events;
-  double before = 0, time_before = 0;
   events.sample = [&](const March& m) {
+    recorder.sample(m);
     const double now = momentum(m).linear[2];
     if (!start) start = now;
-    hit.momentum = std::max(hit.momentum, std::abs(now / *start - 1));
-    hit.energy = std::max(hit.energy, std::abs(m.ledger().imbalance()) / m.ledger().initial);
-    std::vector<Point> forces(1);
-    for (const Effect* effect : m.effects().all()) effect->contact_forces(forces);
-    const double force = std::abs(forces[0][2]);
-    hit.force = std::max(hit.force, force / 34202.1);
-    hit.impulse += 0.5 * (force + before) * (m.time() - time_before) / 0.493230;
-    if (force > 0 || before > 0) hit.time += (m.time() - time_before) / 26.53e-6;
-    before = force, time_before = m.time();
+    momentum_change = std::max(momentum_change, std::abs(now / *start - 1));
+    const Ledger ledger = m.ledger();
+    energy_change = std::max(energy_change, std::abs(ledger.imbalance()) / ledger.initial);
   };
   march.run(events);
-  fmt::print("{}: force {:.4f}, time {:.4f}, impulse {:.4f}, momentum {:.1e}, energy {:.1e}\n", text,
-             hit.force, hit.time, hit.impulse, hit.momentum, hit.energy);
+  Impact hit = read_impact(recorder.history());
+  hit.momentum = momentum_change, hit.energy = energy_change;
+  fmt::print(
+      "{}: force {:.4f}, time {:.4f}, impulse {:.4f}, approach {:.4f}, momentum {:.1e}, energy {:.1e}\n",
+      text, hit.force, hit.time, hit.impulse, hit.approach, hit.momentum, hit.energy);
   return hit;
 }
 
+// Hertz: two equal balls meet at 60 m/s. By symmetry each meets a rigid plane at 30 m/s: force 34.202 kN on a
+// quarter, for 26.53 us, approach of the centres 2 x 270.39 um (Johnson, Contact Mechanics, 11.4; as in
+// studies/exact/hertz-30.toml). The ball at rest takes the momentum of the other, m / 4 x 60 m/s with m =
+// 32.882 g: 0.49323 N s. The penalty (stiffness 3) adds to the approach, and cells of 1 mm are coarse for a
+// contact of 1.6 mm radius: FEM alone has 7 % more force, SPH alone 6 %. There the bodies mirror each other,
+// so that points meet points; in a mixed pair they meet facets.
 TEST(BodyMethods, HertzBetweenCellsAndParticles) {
   const Impact fem = collide_balls("fem-assumed-strain"), sph = collide_balls("sph-corrected");
   for (const char* methods :
@@ -73,10 +93,14 @@ TEST(BodyMethods, HertzBetweenCellsAndParticles) {
       EXPECT_GT(hit.*value, std::min(fem.*value, sph.*value) - slack) << methods;
       EXPECT_LT(hit.*value, std::max(fem.*value, sph.*value) + slack) << methods;
     };
-    expect_between(&Impact::force, 0.01);
+    expect_between(&Impact::force, 0.03);
     expect_between(&Impact::time, 0.01);
+    expect_between(&Impact::impulse, 0.001);
+    expect_between(&Impact::approach, 0.01);
+    EXPECT_NEAR(hit.force, 1, 0.06) << methods;
     EXPECT_NEAR(hit.time, 1, 0.03) << methods;
-    EXPECT_NEAR(hit.impulse, 1, 0.02) << methods;
+    EXPECT_NEAR(hit.impulse, 1, 0.01) << methods;
+    EXPECT_NEAR(hit.approach, 1, 0.05) << methods;
     EXPECT_LT(hit.momentum, 1e-9) << methods;
     EXPECT_LT(hit.energy, 0.005) << methods;
   }
@@ -92,8 +116,8 @@ TEST(BodyMethods, BlockOnBlockLiesBetweenTheTwoMethods) {
     for (const char* column : {"A_y", "inside_yy"}) {
       const double a = last(fem, column), b = last(sph, column), mixed = last(r, column);
       fmt::print("{} {}: {:.5g} between {:.5g} (fem) and {:.5g} (sph)\n", methods, column, mixed, a, b);
-      EXPECT_GT(mixed, std::min(a, b) - 0.02 * std::abs(a)) << methods << " " << column;
-      EXPECT_LT(mixed, std::max(a, b) + 0.02 * std::abs(a)) << methods << " " << column;
+      EXPECT_GT(mixed, std::min(a, b) - 0.005 * std::abs(a)) << methods << " " << column;
+      EXPECT_LT(mixed, std::max(a, b) + 0.005 * std::abs(a)) << methods << " " << column;
     }
     fmt::print("{}: balance {:.1e}, imbalance {:.1e} of {:.4g} J\n", methods, r.balance.force,
                r.ledger.imbalance(), r.ledger.initial);
