@@ -141,18 +141,27 @@ void find_dissent(Advice& advice) {
   }
 }
 
+/// Whether a body has the same method in both, so that they agree without confirming each other.
+bool share_a_method(const BodyMethods& a, const BodyMethods& b, const Scene& scene) {
+  return std::any_of(scene.bodies.begin(), scene.bodies.end(),
+                     [&](const Body& body) { return !body.rigid && a.of(body).name == b.of(body).name; });
+}
+
 /// The reference is the best-known limit among those that other methods agree with; if there is none, the
 /// best-known limit.
-void find_reference(Advice& advice) {
+void find_reference(const Scene& scene, Advice& advice) {
   const auto meets = [&](const MethodEvidence& a, const MethodEvidence& b) {
     return a.limit && b.limit && 100 * std::abs(*a.limit / *b.limit - 1) <= advice.tolerance_percent;
+  };
+  const auto confirms = [&](const MethodEvidence& a, const MethodEvidence& b) {
+    return meets(a, b) && !share_a_method(a.method, b.method, scene);
   };
   int most = 0;
   for (std::size_t k = 0; k < advice.methods.size(); ++k) {
     const MethodEvidence& m = advice.methods[k];
     if (!m.limit) continue;
     const int others = int(std::count_if(advice.methods.begin(), advice.methods.end(),
-                                         [&](const MethodEvidence& o) { return &o != &m && meets(o, m); }));
+                                         [&](const MethodEvidence& o) { return confirms(o, m); }));
     const bool better = !advice.reference || std::min(others, 1) > std::min(most, 1) ||
                         (std::min(others, 1) == std::min(most, 1) &&
                          m.known_percent < advice.methods[*advice.reference].known_percent);
@@ -165,7 +174,7 @@ void find_reference(Advice& advice) {
     m.meets = meets(m, reference);
     for (std::size_t i = 0; i < m.rungs.size(); ++i)
       m.rungs[i].error = 100 * (m.values[i] / *reference.limit - 1);
-    if (!m.meets) continue;
+    if (&m != &reference && !confirms(m, reference)) continue;
     advice.spread_percent = std::max(advice.spread_percent, 100 * std::abs(*m.limit / *reference.limit - 1));
     ++advice.meeting;
     fem = fem || m.method.all_fem(), sph = sph || m.method.all_sph();
@@ -261,7 +270,7 @@ Advice advise(const Scene& scene, const Question& question, const Engine& engine
   Ladders{scene, question, engine, advice}.run();
   find_limits(advice);
   find_dissent(advice);
-  find_reference(advice);
+  find_reference(scene, advice);
   const auto dissent = std::find_if(advice.methods.begin(), advice.methods.end(),
                                     [](const MethodEvidence& m) { return !m.dissent.empty(); });
   if (dissent != advice.methods.end())

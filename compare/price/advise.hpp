@@ -43,7 +43,8 @@ struct Advice {
   std::vector<MethodEvidence> methods;
   std::optional<std::size_t> reference;  ///< index of the method whose limit is the reference
   double tolerance_percent = 0, known_percent = 0;
-  int meeting = 0;            ///< number of methods whose limits agree, with the reference method
+  int meeting = 0;            ///< number of methods whose limits agree, with the reference method; without
+                              ///< those that share the method of a body with it
   bool both_kinds = false;    ///< FEM and SPH are among them
   double spread_percent = 0;  ///< largest distance of these limits from the reference
   std::string suspect;  ///< why the exact value may be infinite: at a support that may or may not carry a

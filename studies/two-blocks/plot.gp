@@ -2,7 +2,7 @@ load style
 set xlabel "depth below the contact, on the axis, mm"
 set ylabel "vertical strain, %"
 names = "'fem-full' 'sph-classic-share h' 'sph-classic-share h/2' 'sph-corrected' ". \
-    "'A=fem-full,B=sph-corrected' 'A=sph-corrected,B=fem-full'"
+    "'A=fem-full' 'A=sph-corrected'" # the last two: gnuplot knows a column by its name up to a comma
 shown = "'fem-full' 'sph-classic-share, h = 2 d' 'sph-classic-share, h = d' 'sph-corrected' ". \
     "'steel FEM, concrete SPH' 'steel SPH, concrete FEM'"
 styles = "1 6 5 10 11 3"

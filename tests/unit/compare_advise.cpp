@@ -90,6 +90,17 @@ TEST_F(Advise, NoTwoMethodsAgree) {
   EXPECT_THAT(describe(scene, question, advice), HasSubstr("none: no two methods"));
 }
 
+// Two runs that have the same method for a body agree in any case.
+TEST_F(Advise, AMethodOfTheSameBodyConfirmsNothing) {
+  question.error = 1;
+  question.methods = {method_named("fem-full"), read_body_methods("box=fem-full", &scene)};
+  const Advice advice = advise(scene, question, engine);
+  EXPECT_FALSE(advice.best);
+  EXPECT_THAT(advice.refusal, HasSubstr("no two methods approach the same limit"));
+  question.methods.push_back(read_body_methods("box=sph-corrected", &scene));
+  EXPECT_EQ(advise(scene, question, engine).meeting, 2);
+}
+
 TEST_F(Advise, ValuesWithoutALimit) {
   question.error = 1;
   engine.run = [](const Scene&, const BodyMethods&, const Resolution& resolution, const RunOptions&) {

@@ -171,6 +171,7 @@ TEST(BodyMethods, ARunSaysTheMethodOfEachBody) {
   scene.supports.push_back({Place{1, {"x-"}, {}, {}}, {true, true, false}});
   scene.duration = 1e-5;
   const Folder folder("by-body");
+  std::filesystem::create_directories(folder / "out");
   RunOptions options;
   options.folder = folder / "out";
   options.fields = false;

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <optional>
 
+#include "model/results/recorder.hpp"
 #include "momentum.hpp"
 #include "support.hpp"
 
@@ -63,7 +64,7 @@ Impact collide_balls(const std::string& text) {
   MarchEvents events;
   events.sample = [&](const March& m) {
     recorder.sample(m);
-    const double now = momentum(m).linear[2];
+    const double now = test::momentum(m).linear[2];
     if (!start) start = now;
     momentum_change = std::max(momentum_change, std::abs(now / *start - 1));
     const Ledger ledger = m.ledger();
