@@ -194,12 +194,9 @@ std::optional<Choice> for_error(const Advice& advice, std::size_t k, double erro
   }
   const int divisions = int(std::ceil(advice.shortest / cost.spacing - 1e-6));
   const double spacing = advice.shortest / divisions;
-  return Choice{k,
-                divisions,
-                spacing,
-                ladder.cpu_at(spacing),
-                ladder.error_at(spacing).value_or(0.9 * error),
-                spacing < ladder.rungs().back().spacing * (1 - 1e-9)};
+  const double expected = ladder.error_at(spacing).value_or(0.9 * error);
+  const bool extrapolated = spacing < ladder.rungs().back().spacing * (1 - 1e-9);
+  return Choice{k, divisions, spacing, ladder.cpu_at(spacing), expected, extrapolated};
 }
 
 /// The smallest error that a method reaches in the time.
@@ -214,12 +211,8 @@ std::optional<Choice> for_time(const Advice& advice, std::size_t k, double withi
   int divisions = std::min(int(std::floor(advice.shortest / *spacing + 1e-6)), most);
   if (ladder.error_at(advice.shortest / divisions, &why)) {
     const double d = advice.shortest / divisions;
-    return Choice{k,
-                  divisions,
-                  d,
-                  ladder.cpu_at(d),
-                  *ladder.error_at(d),
-                  d < ladder.rungs().back().spacing * (1 - 1e-9)};
+    const bool extrapolated = d < ladder.rungs().back().spacing * (1 - 1e-9);
+    return Choice{k, divisions, d, ladder.cpu_at(d), *ladder.error_at(d), extrapolated};
   }
   divisions = std::min(divisions, advice.methods[k].divisions.back());  // not finer than what was measured
   const double d = advice.shortest / divisions;
