@@ -79,7 +79,7 @@ struct Ladders {
 
   void run() {
     std::vector<bool> active(question.methods.size(), true);
-    for (const Method& method : question.methods)
+    for (const BodyMethods& method : question.methods)
       advice.methods.push_back({method, {}, {}, {}, "", {}, {}, 0, false, {}});
     for (const int divisions : ladder_divisions) {
       for (std::size_t k = 0; k < advice.methods.size(); ++k) {
@@ -117,9 +117,11 @@ void find_limits(Advice& advice) {
 
 /// A consistent method converges if there is a limit. Classic SPH is not consistent: its errors at a boundary
 /// do not vanish.
-bool consistent(const Method& method) {
-  const auto* sph = std::get_if<sph::Options>(&method.options);
-  return !sph || sph::formulation_named(sph->formulation).corrected;
+bool consistent(const BodyMethods& methods) {
+  return std::all_of(methods.entries.begin(), methods.entries.end(), [](const BodyMethod& entry) {
+    const auto* sph = std::get_if<sph::Options>(&entry.method.options);
+    return !sph || sph::formulation_named(sph->formulation).corrected;
+  });
 }
 
 /// Finds ladders of five rungs or more whose values do not converge: they change in one direction, without an
@@ -139,18 +141,27 @@ void find_dissent(Advice& advice) {
   }
 }
 
+/// Whether a body has the same method in both, so that they agree without confirming each other.
+bool share_a_method(const BodyMethods& a, const BodyMethods& b, const Scene& scene) {
+  return std::any_of(scene.bodies.begin(), scene.bodies.end(),
+                     [&](const Body& body) { return !body.rigid && a.of(body).name == b.of(body).name; });
+}
+
 /// The reference is the best-known limit among those that other methods agree with; if there is none, the
 /// best-known limit.
-void find_reference(Advice& advice) {
+void find_reference(const Scene& scene, Advice& advice) {
   const auto meets = [&](const MethodEvidence& a, const MethodEvidence& b) {
     return a.limit && b.limit && 100 * std::abs(*a.limit / *b.limit - 1) <= advice.tolerance_percent;
+  };
+  const auto confirms = [&](const MethodEvidence& a, const MethodEvidence& b) {
+    return meets(a, b) && !share_a_method(a.method, b.method, scene);
   };
   int most = 0;
   for (std::size_t k = 0; k < advice.methods.size(); ++k) {
     const MethodEvidence& m = advice.methods[k];
     if (!m.limit) continue;
     const int others = int(std::count_if(advice.methods.begin(), advice.methods.end(),
-                                         [&](const MethodEvidence& o) { return &o != &m && meets(o, m); }));
+                                         [&](const MethodEvidence& o) { return confirms(o, m); }));
     const bool better = !advice.reference || std::min(others, 1) > std::min(most, 1) ||
                         (std::min(others, 1) == std::min(most, 1) &&
                          m.known_percent < advice.methods[*advice.reference].known_percent);
@@ -161,12 +172,12 @@ void find_reference(Advice& advice) {
   bool fem = false, sph = false;
   for (MethodEvidence& m : advice.methods) {
     m.meets = meets(m, reference);
-    if (m.meets)
-      advice.spread_percent = std::max(
-          advice.spread_percent, 100 * std::abs(*m.limit / *reference.limit - 1));
-    if (m.meets) ++advice.meeting, (m.method.is_fem() ? fem : sph) = true;
     for (std::size_t i = 0; i < m.rungs.size(); ++i)
       m.rungs[i].error = 100 * (m.values[i] / *reference.limit - 1);
+    if (&m != &reference && !confirms(m, reference)) continue;
+    advice.spread_percent = std::max(advice.spread_percent, 100 * std::abs(*m.limit / *reference.limit - 1));
+    ++advice.meeting;
+    fem = fem || m.method.all_fem(), sph = sph || m.method.all_sph();
   }
   advice.both_kinds = fem && sph;
   advice.known_percent = reference.known_percent;
@@ -183,12 +194,9 @@ std::optional<Choice> for_error(const Advice& advice, std::size_t k, double erro
   }
   const int divisions = int(std::ceil(advice.shortest / cost.spacing - 1e-6));
   const double spacing = advice.shortest / divisions;
-  return Choice{k,
-                divisions,
-                spacing,
-                ladder.cpu_at(spacing),
-                ladder.error_at(spacing).value_or(0.9 * error),
-                spacing < ladder.rungs().back().spacing * (1 - 1e-9)};
+  const double expected = ladder.error_at(spacing).value_or(0.9 * error);
+  const bool extrapolated = spacing < ladder.rungs().back().spacing * (1 - 1e-9);
+  return Choice{k, divisions, spacing, ladder.cpu_at(spacing), expected, extrapolated};
 }
 
 /// The smallest error that a method reaches in the time.
@@ -203,12 +211,8 @@ std::optional<Choice> for_time(const Advice& advice, std::size_t k, double withi
   int divisions = std::min(int(std::floor(advice.shortest / *spacing + 1e-6)), most);
   if (ladder.error_at(advice.shortest / divisions, &why)) {
     const double d = advice.shortest / divisions;
-    return Choice{k,
-                  divisions,
-                  d,
-                  ladder.cpu_at(d),
-                  *ladder.error_at(d),
-                  d < ladder.rungs().back().spacing * (1 - 1e-9)};
+    const bool extrapolated = d < ladder.rungs().back().spacing * (1 - 1e-9);
+    return Choice{k, divisions, d, ladder.cpu_at(d), *ladder.error_at(d), extrapolated};
   }
   divisions = std::min(divisions, advice.methods[k].divisions.back());  // not finer than what was measured
   const double d = advice.shortest / divisions;
@@ -241,8 +245,8 @@ void choose(const Scene& scene, const Question& question, Advice& advice) {
 
 }  // namespace
 
-std::vector<Method> usual_methods() {
-  std::vector<Method> all;
+std::vector<BodyMethods> usual_methods() {
+  std::vector<BodyMethods> all;
   for (const char* name :
        {"fem-full", "fem-sri", "fem-one-point", "fem-assumed-strain", "sph-classic-share", "sph-corrected"})
     all.push_back(method_named(name));
@@ -259,7 +263,7 @@ Advice advise(const Scene& scene, const Question& question, const Engine& engine
   Ladders{scene, question, engine, advice}.run();
   find_limits(advice);
   find_dissent(advice);
-  find_reference(advice);
+  find_reference(scene, advice);
   const auto dissent = std::find_if(advice.methods.begin(), advice.methods.end(),
                                     [](const MethodEvidence& m) { return !m.dissent.empty(); });
   if (dissent != advice.methods.end())

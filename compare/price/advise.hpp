@@ -9,7 +9,7 @@ namespace femsph::compare {
 
 struct Question {
   QuantitySpec quantity;  ///< the number whose error counts; its theory and reference are ignored
-  std::vector<Method> methods;
+  std::vector<BodyMethods> methods;
   std::optional<double> error;   ///< percent: the least time for this error
   std::optional<double> within;  ///< s of CPU: the least error in this time
   double budget = 30;            ///< s of CPU for all ladders together
@@ -18,7 +18,7 @@ struct Question {
 
 /// The runs of one method, and what they show.
 struct MethodEvidence {
-  Method method;
+  BodyMethods method;
   std::vector<int> divisions;     ///< of the shortest side; one for each rung
   std::vector<PricedRung> rungs;  ///< their errors are set once there is a reference
   std::vector<double> values;
@@ -43,7 +43,8 @@ struct Advice {
   std::vector<MethodEvidence> methods;
   std::optional<std::size_t> reference;  ///< index of the method whose limit is the reference
   double tolerance_percent = 0, known_percent = 0;
-  int meeting = 0;            ///< number of methods whose limits agree, with the reference method
+  int meeting = 0;            ///< number of methods whose limits agree, with the reference method; without
+                              ///< those that share the method of a body with it
   bool both_kinds = false;    ///< FEM and SPH are among them
   double spread_percent = 0;  ///< largest distance of these limits from the reference
   std::string suspect;  ///< why the exact value may be infinite: at a support that may or may not carry a
@@ -56,7 +57,7 @@ struct Advice {
 };
 
 /// The four elements, classic (share) and corrected SPH.
-std::vector<Method> usual_methods();
+std::vector<BodyMethods> usual_methods();
 
 /// Runs the ladders. A run that fails is noted with its method. Throws Refusal if no body deforms.
 Advice advise(const Scene& scene, const Question& question, const Engine& engine);

@@ -137,8 +137,7 @@ std::string describe(const Advice& advice, const Question& question, const Outco
               fmt::format("{} of CPU, {:.2f} times the predicted; {} {}, error {:+.2g} %{}",
                           seconds(outcome.cpu), outcome.cpu / advice.best->cpu, rounded(outcome.value, 5),
                           question.quantity.observed.unit.name, outcome.error, verdict)) +
-         price_text(
-             outcome.price, advice.methods[advice.best->method].method.is_fem() ? "element" : "particle");
+         price_text(outcome.price, advice.methods[advice.best->method].method.unit_name());
 }
 
 }  // namespace femsph::compare

@@ -70,7 +70,7 @@ std::string finer_table(const PricedScene& scene) {
   if (all.empty()) return "";
   PriceCells cells{{"method", "error", "times finer", "price ratio", "price ratio if 10x finer"}};
   for (const Finer& one : all)
-    if (one.method.starts_with("sph"))
+    if (one.method.starts_with("sph") || one.method.find("=sph") != std::string::npos)
       cells.push_back({one.method, fmt::format("{:g} %", one.error),
                        (one.extrapolated ? "~" : "") + rounded(one.finer, 2),
                        (one.extrapolated ? "~" : "") + rounded(one.dearer, 2),

@@ -45,6 +45,17 @@ double percent_of(const std::string& text) {
   return result;
 }
 
+/// "fem-full,sph-corrected" is two methods; "bar=sph-corrected,plate=fem-full", with an equals sign, is one.
+std::vector<std::string> split_methods(const std::string& text) {
+  if (text.find('=') != std::string::npos) return {text};
+  std::vector<std::string> names;
+  for (std::size_t begin = 0, end = 0; end != std::string::npos; begin = end + 1) {
+    end = text.find(',', begin);
+    names.push_back(text.substr(begin, end == std::string::npos ? end : end - begin));
+  }
+  return names;
+}
+
 const Probe& probe_of(const Scene& scene, const std::string& name) {
   if (scene.probes.empty())
     throw BadCommand(fmt::format(
@@ -70,7 +81,7 @@ std::string largest_component(const Scene& scene, const Probe& probe,
       shortest = std::min(shortest, body.shape->upper()[a] - body.shape->lower()[a]);
   std::string why;
   for (const int divisions : {2, 4, 8})
-    for (const Method& method : question.methods) try {
+    for (const BodyMethods& method : question.methods) try {
         RunOptions options;
         options.march.safety = question.safety;
         const RunResult r = run_scene(scene, method, Resolution{shortest / divisions, {}}, options);
@@ -103,7 +114,9 @@ Question question_of(const AdviseCommand& c, const Scene& scene) {
   q.budget = seconds_of("--budget", c.budget);
   q.safety = checked_safety(c.safety);
   try {
-    for (const std::string& name : c.methods) q.methods.push_back(method_named(name));
+    for (const std::string& text : c.methods)
+      for (const std::string& name : split_methods(text))
+        q.methods.push_back(read_body_methods(name, &scene));
     if (c.methods.empty()) q.methods = usual_methods();
   } catch (const std::runtime_error& e) {
     throw BadCommand(std::string("--methods: ") + e.what());

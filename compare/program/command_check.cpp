@@ -52,7 +52,7 @@ std::string effects_line(const std::vector<std::string>& on) {
 }
 
 /// CPU seconds of one step, measured over some tenths of a second.
-double seconds_per_step(const Scene& scene, const Method& method, const Resolution& resolution,
+double seconds_per_step(const Scene& scene, const BodyMethods& methods, const Resolution& resolution,
                         const MarchOptions& options, double step, std::size_t units) {
   const double steps = std::clamp(2e7 / double(units), 20.0, 2000.0);
   Scene brief = scene;
@@ -61,7 +61,7 @@ double seconds_per_step(const Scene& scene, const Method& method, const Resoluti
   brief.snapshots = 0;
   RunOptions quiet;
   quiet.march = options;
-  const RunResult r = run_scene(brief, method, resolution, quiet);
+  const RunResult r = run_scene(brief, methods, resolution, quiet);
   return r.price.cpu / double(std::max(1L, r.price.steps));
 }
 
@@ -79,23 +79,24 @@ int check_command(const RunCommand& command) {
     fmt::print("add --solver and --spacing to see particles or elements, critical step, memory and time\n");
     return 0;
   }
-  const Method method = method_of(command);
-  const Resolution resolution = resolution_of(command, scene, method);
-  refuse_excess(scene, method, resolution);
+  const BodyMethods methods = methods_of(command, scene);
+  const Resolution resolution = resolution_of(command, scene, methods);
+  print_partial_options(command, methods);
+  refuse_excess(scene, methods, resolution);
   std::vector<std::unique_ptr<Discretization>> bodies;
   for (std::size_t b = 0; b < scene.bodies.size(); ++b)
-    if (!scene.bodies[b].rigid) bodies.push_back(discretize(scene, b, method, resolution));
+    if (!scene.bodies[b].rigid) bodies.push_back(discretize(scene, b, methods, resolution));
   MarchOptions options;
   options.safety = command.safety;
   const March march(scene, std::move(bodies), options);
   for (const std::string& text : march.warnings()) print_warning(text);
-  fmt::print("with {}:\n", method.name);
-  for (const auto& [key, value] : derived_values(march))
+  fmt::print("with {}:\n", methods.name);
+  for (const auto& [key, value] : derived_values(march, methods))
     if (key != "effects on") fmt::print("  {:<24} {}\n", key, value);
-  const double each = seconds_per_step(scene, method, resolution, options, march.dt(), march.price().units);
+  const double each = seconds_per_step(scene, methods, resolution, options, march.dt(), march.price().units);
   fmt::print("  {:<24} {:.2g} s of CPU expected (measured: {:.3g} ns per {} and step)\n", "time",
              each * double(march.planned_steps()), 1e9 * each / double(march.price().units),
-             method.is_fem() ? "element" : "particle");
+             methods.unit_name());
   return 0;
 }
 

@@ -37,9 +37,9 @@ double in_range(const std::string& flag, const MethodOption& option, double valu
       value, option.range->describe()));
 }
 
-void refuse_idle(const std::string& flag, const MethodOption& option, const Method& method) {
-  if (const std::string why = why_idle(method, option); !why.empty())
-    throw BadCommand(fmt::format("{} does nothing with {}: {}", flag, method.name, why));
+void refuse_idle(const std::string& flag, const MethodOption& option, const BodyMethods& methods) {
+  if (const std::string why = why_idle(methods, option); !why.empty())
+    throw BadCommand(fmt::format("{} does nothing with {}: {}", flag, methods.name, why));
 }
 
 const std::string& checked_word(const MethodOption& option, const std::string& value) {
@@ -47,10 +47,13 @@ const std::string& checked_word(const MethodOption& option, const std::string& v
                                  fmt::format("{} cannot be {}", flag_of(option), in_quotes(value)));
 }
 
-/// The options of the method that the command line changes. First refuses those that would do nothing, then
-/// checks their values.
-Overrides overrides_of(const RunCommand& c, const Method& method) {
-  std::vector<std::pair<const MethodOption*, std::string>> given;  // with their flags
+/// An option of the methods, and the flag that gave it.
+using GivenOption = std::pair<const MethodOption*, std::string>;
+
+const char* const viscosity_words[] = {"alpha", "beta", "gamma"};  // --viscosity
+
+std::vector<GivenOption> given_options(const RunCommand& c) {
+  std::vector<GivenOption> given;
   const auto note = [&](const std::string& word, const std::string& flag) {
     given.emplace_back(&method_option(word), flag.empty() ? flag_of(method_option(word)) : flag);
   };
@@ -58,11 +61,17 @@ Overrides overrides_of(const RunCommand& c, const Method& method) {
     if (value) note(word, "");
   for (const auto& [word, value] : c.words)
     if (value) note(word, "");
-  const char* const viscosity[] = {"alpha", "beta", "gamma"};
   if (!c.viscosity.empty())
-    for (const char* word : viscosity) note(word, "--viscosity");
+    for (const char* word : viscosity_words) note(word, "--viscosity");
   if (!c.projection) note("projection", "--no-projection");
-  for (const auto& [option, flag] : given) refuse_idle(flag, *option, method);
+  return given;
+}
+
+/// The options of the methods that the command line changes. First refuses those that would do nothing, then
+/// checks their values.
+Overrides overrides_of(const RunCommand& c, const BodyMethods& methods) {
+  const std::vector<GivenOption> given = given_options(c);
+  for (const auto& [option, flag] : given) refuse_idle(flag, *option, methods);
 
   Overrides read;
   for (const auto& [option, flag] : given) {
@@ -73,13 +82,20 @@ Overrides overrides_of(const RunCommand& c, const Method& method) {
     else if (word != c.words.end())
       read.set(option->word, checked_word(*option, *word->second));
     else if (option->range)
-      read.set(option->word,
-               in_range(flag, *option,
-                        c.viscosity[std::find(viscosity, viscosity + 3, option->word) - viscosity]));
+      read.set(
+          option->word,
+          in_range(
+              flag, *option,
+              c.viscosity[std::find(viscosity_words, viscosity_words + 3, option->word) - viscosity_words]));
     else
       read.set(option->word, false);
   }
   return read;
+}
+
+/// A method's full name, or "sph" or "fem".
+Method solver_named(const std::string& name) {
+  return method_named(name == "sph" ? "sph-corrected" : name == "fem" ? "fem-full" : name);
 }
 
 }  // namespace
@@ -98,28 +114,38 @@ double checked_safety(double safety) {
   return safety;
 }
 
-Method method_of(const RunCommand& c) {
-  Method m;
+BodyMethods methods_of(const RunCommand& c, const Scene& scene) {
   try {
-    m = method_named(c.solver == "sph" ? "sph-corrected" : c.solver == "fem" ? "fem-full" : c.solver);
+    BodyMethods methods = read_body_methods(c.solver, &scene, solver_named);
+    overrides_of(c, methods).apply(methods);
+    return methods;
+  } catch (const BadCommand&) {
+    throw;
   } catch (const std::runtime_error& error) {
     throw BadCommand(std::string("--solver: ") + error.what());
   }
-  overrides_of(c, m).apply(m);
-  return m;
 }
 
-Resolution resolution_of(const RunCommand& c, const Scene& scene, const Method& method) {
+void print_partial_options(const RunCommand& c, const BodyMethods& methods) {
+  std::string last;
+  for (const auto& [option, flag] : given_options(c))
+    if (const std::string bodies = bodies_with(methods, *option); !bodies.empty() && flag != last) {
+      fmt::print(stderr, "note: {} applies to {} only\n", flag, bodies);
+      last = flag;
+    }
+}
+
+Resolution resolution_of(const RunCommand& c, const Scene& scene, const BodyMethods& methods) {
   Resolution r;
   if (c.spacing && !c.divisions.empty())
     throw BadCommand("both --spacing and --divisions are given; expected one of them");
-  const bool own_cells = method.is_fem() &&
-                         std::all_of(scene.bodies.begin(), scene.bodies.end(),
-                                     [](const Body& body) { return body.rigid || body.shape->cells(); });
+  const bool own_cells = std::all_of(scene.bodies.begin(), scene.bodies.end(), [&](const Body& body) {
+    return body.rigid || (body.shape->cells() && methods.of(body).is_fem());
+  });
   if (own_cells && (c.spacing || !c.divisions.empty()))
     throw BadCommand(fmt::format(
         "{} does nothing with {}: the cells of every deformable body of {} come from its shape",
-        c.spacing ? "--spacing" : "--divisions", method.name, scene.file));
+        c.spacing ? "--spacing" : "--divisions", methods.name, scene.file));
   if (!own_cells && !c.spacing && c.divisions.empty())
     throw BadCommand("no resolution is given; expected a spacing, such as --spacing \"10 mm\"");
   if (c.spacing) {
@@ -143,9 +169,9 @@ Resolution resolution_of(const RunCommand& c, const Scene& scene, const Method& 
                                    c.divisions[a], most_divisions));
     r.divisions[a] = c.divisions[a];
   }
-  if (!c.divisions.empty() && !method.is_fem()) try {
+  if (!c.divisions.empty()) try {
       for (const Body& body : scene.bodies)
-        if (!body.rigid) spacing_of(*body.shape, r);
+        if (!body.rigid && !methods.of(body).is_fem()) spacing_of(*body.shape, r);
     } catch (const Refusal& refusal) {
       throw BadCommand(std::string("--divisions: ") + refusal.what());
     }
@@ -203,8 +229,8 @@ int run_command(const RunCommand& command) {
   set_threads(checked_threads(command.threads));
   const CheckpointOptions checkpoints = checkpoint_of(command);
   const Scene scene = command.from ? scene_again(command.from->origin()) : read_scene(command.scene);
-  const Method method = method_of(command);
-  const Resolution resolution = resolution_of(command, scene, method);
+  const BodyMethods methods = methods_of(command, scene);
+  const Resolution resolution = resolution_of(command, scene, methods);
   std::error_code failure;
   std::filesystem::create_directories(command.out, failure);
   if (failure)
@@ -217,7 +243,8 @@ int run_command(const RunCommand& command) {
   options.command = command.command;
   options.checkpoint = checkpoints;
   options.warn = print_warning;
-  const RunResult r = run_scene(scene, method, resolution, options);
+  print_partial_options(command, methods);
+  const RunResult r = run_scene(scene, methods, resolution, options);
 
   fmt::print("{}\n", scene.title);
   for (const auto& [key, value] : r.derived) fmt::print("  {:<24} {}\n", key, value);
@@ -234,7 +261,7 @@ int run_command(const RunCommand& command) {
   fmt::print(
       "  {:<24} {:.1e} of the forces, {:.1e} of their moments: loads + reactions - inertia, at worst\n",
       "balance", r.balance.force, r.balance.moment);
-  fmt::print("{}", price_text(r.price, method.is_fem() ? "element" : "particle"));
+  fmt::print("{}", price_text(r.price, methods.unit_name()));
   fmt::print("results in {}\n", command.out);
   return scene.settling && !r.settled ? not_settled : 0;
 }

@@ -17,7 +17,7 @@ namespace femsph::compare {
 /// `femsph run`, and the options it shares with `femsph check`.
 struct RunCommand {
   std::string scene;
-  std::string solver;  ///< sph, fem, or a method's name
+  std::string solver;  ///< sph, fem, a method's name, or a method for each body
   std::optional<std::string> spacing;
   std::vector<int> divisions;
   /// Options of the method (compare/run/plan/method_options.cpp) by their words.
@@ -65,7 +65,8 @@ struct AdviseCommand {
   std::string error, within;  ///< one of them: "1%" or "0.01"; "10 min"
   /// Empty: the first probe; its largest component; its last value if the scene settles, else its peak.
   std::string probe, component, reduce;
-  std::vector<std::string> methods;  ///< empty: the four elements, classic (share) and corrected SPH
+  /// Empty: the four elements, classic (share) and corrected SPH. A text with "=" has a method for each body.
+  std::vector<std::string> methods;
   std::string budget = "30 s";
   double safety = 0.98;
   bool run = false;  ///< also make the advised run
@@ -81,10 +82,13 @@ class BadCommand : public std::runtime_error {
 
 inline constexpr int most_threads = 512, most_divisions = 1'000'000;
 
-/// The method and resolution of a command line. Throw BadCommand, with "did you mean", for unknown words, for
-/// numbers out of their range and for options that would do nothing.
-Method method_of(const RunCommand& command);
-Resolution resolution_of(const RunCommand& command, const Scene& scene, const Method& method);
+/// The methods and resolution of a command line. Throw BadCommand, with "did you mean", for unknown words,
+/// for numbers out of their range and for options that would do nothing.
+BodyMethods methods_of(const RunCommand& command, const Scene& scene);
+Resolution resolution_of(const RunCommand& command, const Scene& scene, const BodyMethods& methods);
+/// On stderr, for each option that applies to the methods of some bodies only: "note: --smoothing applies to
+/// bar only".
+void print_partial_options(const RunCommand& command, const BodyMethods& methods);
 /// Return the number, or throw BadCommand if it is out of its range.
 int checked_threads(int threads);
 double checked_safety(double safety);

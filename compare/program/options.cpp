@@ -30,7 +30,9 @@ void add_method_options(CLI::App* command, RunCommand& c) {
   add_scene(command, c.scene);
   command
       ->add_option("--solver", c.solver,
-                   "sph (sph-corrected) or fem (fem-full), or a method's full name: see `femsph list`")
+                   "sph (sph-corrected) or fem (fem-full), or a method's full name: see `femsph list`; or a "
+                   "method for "
+                   "each body: bar=sph,plate=fem; an entry without a body is for all others: fem,bar=sph")
       ->required();
   command->add_option("--spacing", c.spacing, "particle spacing, or edge of a cell: \"10 mm\"");
   command
@@ -154,10 +156,11 @@ CLI::App* add_advise(CLI::App& app, AdviseCommand& c) {
   command->add_option("--component", c.component, "its component: x, y, xx, .. (default: the largest)");
   command->add_option("--reduce", c.reduce,
                       "final, peak or mean of its history (default: final if the scene settles, else peak)");
-  command
-      ->add_option("--methods", c.methods,
-                   "methods to choose from (default: the four elements, sph-classic-share, sph-corrected)")
-      ->delimiter(',');
+  command->add_option(
+      "--methods", c.methods,
+      "methods to choose from (default: the four elements, sph-classic-share, sph-corrected): "
+      "fem-full,sph-corrected; a method for each body is a word of its own: "
+      "--methods fem-full bar=sph-corrected,plate=fem-full");
   command->add_option("--budget", c.budget, "CPU time for all these runs together")->capture_default_str();
   add_safety(command, c.safety);
   command->add_flag("--run", c.run, "also make the advised run, and compare it with the prediction");

@@ -73,10 +73,11 @@ std::string bytes_text(double bytes) {
 
 }  // namespace
 
-Size estimated_size(const Scene& scene, const Method& method, const Resolution& resolution) {
+Size estimated_size(const Scene& scene, const BodyMethods& methods, const Resolution& resolution) {
   Size size;
   for (const Body& body : scene.bodies) {
     if (body.rigid) continue;
+    const Method& method = methods.of(body);
     const double units = units_of(*body.shape, method, resolution);
     size.units += units;
     size.bytes += units * bytes_of_unit(scene, body, method);
@@ -98,16 +99,19 @@ double available_memory() {
       available, left(number_in(one + "memory.limit_in_bytes"), number_in(one + "memory.usage_in_bytes")));
 }
 
-void refuse_excess(const Scene& scene, const Method& method, const Resolution& resolution, double available) {
+void refuse_excess(const Scene& scene, const BodyMethods& methods, const Resolution& resolution,
+                   double available) {
   if (!(resolution.spacing > 0) && resolution.divisions[0] <= 0)
     return;  // no resolution: reported elsewhere, or the cells come from a mesh file
-  const Size size = estimated_size(scene, method, resolution);
+  const Size size = estimated_size(scene, methods, resolution);
   const double over = std::max(size.bytes / available, size.units / most_units);
   if (!(over > 1)) return;
+  const std::string units = methods.all_fem()   ? "elements"
+                            : methods.all_sph() ? "particles"
+                                                : "particles and elements";
   const std::string what = fmt::format(
       "this {} gives about {:.2g} {}, which need {} of memory; ",
-      resolution.spacing > 0 ? "spacing" : "division", size.units, method.is_fem() ? "elements" : "particles",
-      bytes_text(size.bytes));
+      resolution.spacing > 0 ? "spacing" : "division", size.units, units, bytes_text(size.bytes));
   const std::string limit = size.bytes / available >= size.units / most_units
                                 ? bytes_text(available) + " are available"
                                 : fmt::format("the program supports {:.1g} at most", most_units);

@@ -50,8 +50,9 @@ double spacing_of(const Shape& shape, const Resolution& resolution) {
   return spacing;
 }
 
-std::unique_ptr<Discretization> discretize(const Scene& scene, std::size_t body, const Method& method,
+std::unique_ptr<Discretization> discretize(const Scene& scene, std::size_t body, const BodyMethods& methods,
                                            const Resolution& resolution) {
+  const Method& method = methods.of(scene.bodies[body]);
   const Shape& shape = *scene.bodies[body].shape;
   const bool own_cells = method.is_fem() && shape.cells();
   if (!own_cells && !(resolution.spacing > 0) && resolution.divisions[0] <= 0)
@@ -66,8 +67,9 @@ std::unique_ptr<Discretization> discretize(const Scene& scene, std::size_t body,
   return sph::discretize(scene, body, options);
 }
 
-std::vector<std::pair<std::string, std::string>> derived_values(const March& march) {
-  std::vector<std::pair<std::string, std::string>> out;
+std::vector<std::pair<std::string, std::string>> derived_values(const March& march,
+                                                                const BodyMethods& methods) {
+  std::vector<std::pair<std::string, std::string>> out = describe(methods, march.scene());
   for (const MovingBody& body : march.bodies()) {
     out.emplace_back("body " + body.name, body.discretization->describe());
     out.emplace_back(body.name + " " + body.discretization->unit_name() + "s",
@@ -131,14 +133,14 @@ std::string outcome_of(const March& march) {
 namespace {
 
 /// The results of a march, at its end or where it stopped.
-RunResult result_of(const March& march, const Recorder& recorder,
+RunResult result_of(const March& march, const BodyMethods& methods, const Recorder& recorder,
                     const std::optional<Conservation>& conservation) {
   RunResult r;
   r.history = recorder.history();
   r.ledger = march.ledger();
   r.price = march.price();
   r.settled = march.settled();
-  r.derived = derived_values(march);
+  r.derived = derived_values(march, methods);
   r.warnings = warnings_of(march, recorder);
   r.balance = recorder.balance();
   for (const MovingBody& body : march.bodies()) r.points += body.discretization->layout().points;
@@ -166,13 +168,13 @@ bool asks_for_drift(const std::set<std::string>& scalars) {
 
 }  // namespace
 
-RunResult run_scene(const Scene& scene, const Method& method, const Resolution& resolution,
+RunResult run_scene(const Scene& scene, const BodyMethods& methods, const Resolution& resolution,
                     const RunOptions& options) {
-  refuse_excess(scene, method, resolution);
+  refuse_excess(scene, methods, resolution);
   const double start = wall_seconds(), start_cpu = cpu_seconds();
   std::vector<std::unique_ptr<Discretization>> bodies;
   for (std::size_t b = 0; b < scene.bodies.size(); ++b)
-    if (!scene.bodies[b].rigid) bodies.push_back(discretize(scene, b, method, resolution));
+    if (!scene.bodies[b].rigid) bodies.push_back(discretize(scene, b, methods, resolution));
   const double ready = wall_seconds();
   March march(scene, std::move(bodies), options.march);
   march.price().add("setup", ready - start);
@@ -184,11 +186,11 @@ RunResult run_scene(const Scene& scene, const Method& method, const Resolution& 
   report_warnings(march.warnings());
   Recorder recorder(march);
   std::unique_ptr<RunOutput> output;
-  if (options.folder) output = std::make_unique<RunOutput>(method, options, march, recorder, start_cpu);
+  if (options.folder) output = std::make_unique<RunOutput>(methods, options, march, recorder, start_cpu);
   const auto total_cpu = [&] { return cpu_seconds() - start_cpu + (output ? output->cpu_before() : 0.0); };
   std::optional<Conservation> conservation;
   if (asks_for_drift(options.scalars)) conservation.emplace(march);
-  Progress progress(options.label.empty() ? method.name : options.label);
+  Progress progress(options.label.empty() ? methods.name : options.label);
 
   MarchEvents events;
   events.sample = [&](const March& m) {
@@ -203,7 +205,7 @@ RunResult run_scene(const Scene& scene, const Method& method, const Resolution& 
     march.price().total_cpu = total_cpu();
   } catch (const MotionError& error) {
     march.price().total_cpu = total_cpu();
-    if (options.partial) *options.partial = result_of(march, recorder, conservation);
+    if (options.partial) *options.partial = result_of(march, methods, recorder, conservation);
     const auto* stop = dynamic_cast<const Stopped*>(&error);
     if (!output) throw;
     const std::string message = error.what() + (stop ? output->save_last_good() : "");
@@ -217,13 +219,14 @@ RunResult run_scene(const Scene& scene, const Method& method, const Resolution& 
   report_warnings(warnings_of(march, recorder));
   if (output) output->finish(outcome_of(march), true);
 
-  RunResult r = result_of(march, recorder, conservation);
+  RunResult r = result_of(march, methods, recorder, conservation);
   r.profiles = recorder.profiles(march);
   r.momentum_error = march.force_imbalance();
   r.moment_error = march.moment_imbalance();
   // Of several bodies the coarsest counts: the widest spacing, and among equal ones the fewest cells.
   for (const MovingBody& body : march.bodies()) {
     const Shape& shape = *scene.bodies[body.index].shape;
+    const Method& method = methods.of(scene.bodies[body.index]);
     const double spacing = shape.cells() && method.is_fem()
                                ? body.discretization->spacing()
                                : height_spacing(shape, divisions_of(shape, resolution));

@@ -1,5 +1,6 @@
 #pragma once
-// One run: from a scene, a method and a resolution to histories, profiles, energies and its cost.
+// One run: from a scene, the method of each body and a resolution to histories, profiles, energies and its
+// cost.
 
 #include <array>
 #include <functional>
@@ -10,7 +11,7 @@
 #include <variant>
 #include <vector>
 
-#include "compare/run/plan/method.hpp"
+#include "compare/run/plan/body_methods.hpp"
 #include "compare/run/plan/run_result.hpp"
 #include "fem/fem.hpp"
 #include "model/results/checkpoint.hpp"
@@ -46,11 +47,13 @@ struct RunOptions {
 };
 
 /// Throws InputError, MotionError, Interrupted (compare/run/interruption.hpp) or std::runtime_error.
-RunResult run_scene(const Scene& scene, const Method& method, const Resolution& resolution,
+RunResult run_scene(const Scene& scene, const BodyMethods& methods, const Resolution& resolution,
                     const RunOptions& options);
 
-/// What a run derives from its scene, as text: particles or elements, step, memory, effects.
-std::vector<std::pair<std::string, std::string>> derived_values(const March& march);
+/// What a run derives from its scene, as text: the method of each body if they were given by body, particles
+/// or elements, step, memory, effects.
+std::vector<std::pair<std::string, std::string>> derived_values(const March& march,
+                                                                const BodyMethods& methods);
 
 /// The warnings of the time march, and one if forces are not in balance.
 std::vector<std::string> warnings_of(const March& march, const Recorder& recorder);
@@ -63,7 +66,7 @@ std::string outcome_of(const March& march);
 std::string price_text(const Price& price, const std::string& unit);
 
 /// The discretization alone (for `check` and the bench).
-std::unique_ptr<Discretization> discretize(const Scene& scene, std::size_t body, const Method& method,
+std::unique_ptr<Discretization> discretize(const Scene& scene, std::size_t body, const BodyMethods& methods,
                                            const Resolution& resolution);
 
 }  // namespace femsph::compare

@@ -60,9 +60,10 @@ std::uint64_t checksum_of_meshes(const Scene& scene) {
   return sum;
 }
 
-RunOutput::RunOutput(const Method& method, const RunOptions& options, March& march, Recorder& recorder,
+RunOutput::RunOutput(const BodyMethods& methods, const RunOptions& options, March& march, Recorder& recorder,
                      double start_cpu)
-    : options_(options),
+    : methods_(methods),
+      options_(options),
       march_(march),
       recorder_(recorder),
       folder_(*options.folder),
@@ -71,7 +72,7 @@ RunOutput::RunOutput(const Method& method, const RunOptions& options, March& mar
   const Scene& scene = march.scene();
   record_.scene_file = scene.file;
   record_.scene_text = scene.text;
-  record_.method = method.name;
+  record_.method = methods.name;
   record_.command = options.command;
   const std::shared_ptr<const Checkpoint> from = options.checkpoint ? options.checkpoint->from : nullptr;
   if (!from) remove_earlier_run(folder_, scene.file);
@@ -177,7 +178,7 @@ void RunOutput::finish(const std::string& outcome, bool whole) {
       write_csv(profile, folder_ + "/section_" + name + ".csv");
     record_.ledger = march_.ledger();
   }
-  record_.derived = derived_values(march_);
+  record_.derived = derived_values(march_, methods_);
   record_.derived.emplace_back(
       "balance",
       fmt::format("{:.1e} of the forces, {:.1e} of their moments: loads + reactions - inertia, at worst",

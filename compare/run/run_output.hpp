@@ -26,7 +26,7 @@ class RunOutput {
   /// Restores march and recorder from options.checkpoint->from, if there is one; else removes the files of an
   /// earlier run from the folder. All but `options` must outlive this. `start_cpu`: CPU time of the process
   /// when the run began, s.
-  RunOutput(const Method& method, const RunOptions& options, March& march, Recorder& recorder,
+  RunOutput(const BodyMethods& methods, const RunOptions& options, March& march, Recorder& recorder,
             double start_cpu);
 
   /// CPU seconds of the run, set-up included, before the checkpoint that it continues from.
@@ -51,6 +51,7 @@ class RunOutput {
   void price_state(Archive& archive);
   void state(Archive& archive);
 
+  const BodyMethods methods_;
   const RunOptions options_;
   March& march_;
   Recorder& recorder_;

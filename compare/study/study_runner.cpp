@@ -180,7 +180,7 @@ void repeat_runs(const Study& study, const Engine& engine, const StudyOptions& o
     for (std::size_t k = 0; k < outcome.runs.size(); ++k) {
       const FinishedRun& run = outcome.runs[k];
       try {
-        const RunResult again = engine.run(study.scenes.at(run.plan->scene), run.plan->method,
+        const RunResult again = engine.run(study.scenes.at(run.plan->scene), run.plan->methods,
                                            run.plan->resolution, options_of(study, *run.plan, options));
         if (!same_numbers(run.result, again))
           throw std::runtime_error("a repeated run gave different results");
@@ -210,7 +210,7 @@ void make_run(const Study& study, const PlannedRun& run, const Engine& engine, c
   std::optional<RunResult> result;
   std::string failure;
   try {
-    result = engine.run(study.scenes.at(run.scene), run.method, run.resolution, run_options);
+    result = engine.run(study.scenes.at(run.scene), run.methods, run.resolution, run_options);
   } catch (const std::exception& e) {
     failure = e.what();
   }

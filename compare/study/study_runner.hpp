@@ -11,7 +11,7 @@ namespace femsph::compare {
 
 /// The functions that compute runs and limits. Tests use others.
 struct Engine {
-  std::function<RunResult(const Scene&, const Method&, const Resolution&, const RunOptions&)> run;
+  std::function<RunResult(const Scene&, const BodyMethods&, const Resolution&, const RunOptions&)> run;
   std::function<fem::StaticLimit(const Scene&, const std::array<int, 3>& divisions, int degree)> limit;
 };
 

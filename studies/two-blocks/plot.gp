@@ -1,8 +1,11 @@
 load style
 set xlabel "depth below the contact, on the axis, mm"
 set ylabel "vertical strain, %"
-names = "'fem-full' 'sph-classic-share h' 'sph-classic-share h/2' 'sph-corrected'"
-shown = "'fem-full' 'sph-classic-share, h = 2 d' 'sph-classic-share, h = d' 'sph-corrected'"
+names = "'fem-full' 'sph-classic-share h' 'sph-classic-share h/2' 'sph-corrected' ". \
+    "'A=fem-full' 'A=sph-corrected'" # the last two: gnuplot knows a column by its name up to a comma
+shown = "'fem-full' 'sph-classic-share, h = 2 d' 'sph-classic-share, h = d' 'sph-corrected' ". \
+    "'steel FEM, concrete SPH' 'steel SPH, concrete FEM'"
+styles = "1 6 5 10 11 3"
 do for [f in "table2-strain table2-side-strain plastic-strain"] {
   set output figure(f)
   set xlabel (f eq "table2-side-strain" ? "distance from the axis at mid-height of the concrete, mm" : \
@@ -10,7 +13,7 @@ do for [f in "table2-strain table2-side-strain plastic-strain"] {
   set ylabel (f eq "plastic-strain" ? "equivalent plastic strain, %" : "vertical strain, %")
   if (has(f)) {
     plot for [i = 1:words(names)] file(f) using "distance_mm":word(names, \
-        i) with linespoints ls (i == 1 ? 1 : i == 2 ? 6 : i == 3 ? 5 : 10) title word(shown, i)
+        i) with linespoints ls (int(word(styles, i))) title word(shown, i)
   }
 }
 

@@ -32,8 +32,9 @@ class Advise : public ::testing::Test {
         method_named("fem-full"), method_named("sph-corrected"), method_named("sph-classic-share")};
     question.budget = 50;
     // At 100 mm FEM has an error of 10 %, corrected SPH of 40 %; the limit of classic SPH is 20 % off.
-    engine.run = [](const Scene&, const Method& method, const Resolution& resolution, const RunOptions&) {
-      const double d = resolution.spacing, c = method.is_fem() ? 10 : 40;
+    engine.run = [](const Scene&, const BodyMethods& method, const Resolution& resolution,
+                    const RunOptions&) {
+      const double d = resolution.spacing, c = method.all_fem() ? 10 : 40;
       return at(method.name == "sph-classic-share" ? -0.006 : -0.005, c, d);
     };
   }
@@ -89,9 +90,20 @@ TEST_F(Advise, NoTwoMethodsAgree) {
   EXPECT_THAT(describe(scene, question, advice), HasSubstr("none: no two methods"));
 }
 
+// Two runs that have the same method for a body agree in any case.
+TEST_F(Advise, AMethodOfTheSameBodyConfirmsNothing) {
+  question.error = 1;
+  question.methods = {method_named("fem-full"), read_body_methods("box=fem-full", &scene)};
+  const Advice advice = advise(scene, question, engine);
+  EXPECT_FALSE(advice.best);
+  EXPECT_THAT(advice.refusal, HasSubstr("no two methods approach the same limit"));
+  question.methods.push_back(read_body_methods("box=sph-corrected", &scene));
+  EXPECT_EQ(advise(scene, question, engine).meeting, 2);
+}
+
 TEST_F(Advise, ValuesWithoutALimit) {
   question.error = 1;
-  engine.run = [](const Scene&, const Method&, const Resolution& resolution, const RunOptions&) {
+  engine.run = [](const Scene&, const BodyMethods&, const Resolution& resolution, const RunOptions&) {
     return at(-0.005 * (1 + 0.1 * std::cos(7 / resolution.spacing)), 0, resolution.spacing);
   };
   const Advice advice = advise(scene, question, engine);
@@ -103,8 +115,8 @@ TEST_F(Advise, AMethodThatFailsIsNamedAndOthersGoOn) {
   question.error = 1;
   question.methods.push_back(method_named("sph-virtual"));
   const auto run = engine.run;
-  engine.run = [run](
-                   const Scene& s, const Method& method, const Resolution& resolution, const RunOptions& o) {
+  engine.run = [run](const Scene& s, const BodyMethods& method, const Resolution& resolution,
+                     const RunOptions& o) {
     if (method.name == "sph-virtual") throw std::runtime_error("virtual particles want a box");
     return run(s, method, resolution, o);
   };

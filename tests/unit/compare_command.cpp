@@ -43,19 +43,19 @@ template <class Member, class Value>
 std::string of_method(const char* solver, Member member, Value value) {
   RunCommand c = by(solver);
   c.*member = value;
-  return complaint([&] { method_of(c); });
+  return complaint([&] { methods_of(c, cantilever()); });
 }
 
 /// With one option of the method.
 std::string of_method(const char* solver, const char* option, double value) {
   RunCommand c = by(solver);
   c.numbers[option] = value;
-  return complaint([&] { method_of(c); });
+  return complaint([&] { methods_of(c, cantilever()); });
 }
 std::string of_method(const char* solver, const char* option, const char* value) {
   RunCommand c = by(solver);
   c.words[option] = value;
-  return complaint([&] { method_of(c); });
+  return complaint([&] { methods_of(c, cantilever()); });
 }
 
 /// A scene of one body: a box, or, with cells of its own, one cell.
@@ -74,7 +74,7 @@ std::string of_resolution(const Scene& scene, const char* solver, std::optional<
   RunCommand c = by(solver);
   c.spacing = spacing;
   c.divisions = divisions;
-  return complaint([&] { resolution_of(c, scene, method_of(c)); });
+  return complaint([&] { resolution_of(c, scene, methods_of(c, scene)); });
 }
 
 TEST(Command, NumbersOfAMethodHaveRanges) {
@@ -95,7 +95,7 @@ TEST(Command, NumbersOfAMethodHaveRanges) {
   EXPECT_EQ(of_method("sph", "kernel", "wendland"),
             "--kernel cannot be \"wendland\"; expected \"cubic-spline\" or \"wendland-c2\"");
   EXPECT_THAT(
-      complaint([] { method_of(by("sph-corected")); }),
+      complaint([] { methods_of(by("sph-corected"), cantilever()); }),
       AllOf(HasSubstr("--solver: no method \"sph-corected\""), HasSubstr("did you mean \"sph-corrected\"?")));
 }
 

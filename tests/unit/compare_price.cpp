@@ -154,9 +154,10 @@ class Prices : public ::testing::Test {
     study = read_study(folder.write("beam/study.toml", priced_study));
     // 10 mm (1 + 25 d^2), d in m: an error of 1 % at 20 mm, a quarter of it at 10 mm. SPH has four times the
     // error.
-    engine.run = [this](const Scene&, const Method& method, const Resolution& resolution, const RunOptions&) {
+    engine.run = [this](const Scene&, const BodyMethods& method, const Resolution& resolution,
+                        const RunOptions&) {
       const double d = resolution.spacing;
-      RunResult r = result(-0.01 * (1 + (method.is_fem() ? 25 : 100) * d * d), 1, d);
+      RunResult r = result(-0.01 * (1 + (method.all_fem() ? 25 : 100) * d * d), 1, d);
       r.price.steps = long(1 / d), r.price.units = std::size_t(1 / (d * d));
       r.price.cpu = 1e-6 / (d * d * d);
       r.price.total_cpu =
@@ -194,7 +195,7 @@ TEST_F(Prices, RepeatsRunsAndTakesTheLimitOfALadder) {
 
 TEST_F(Prices, ARepeatedRunMustGiveTheSame) {
   auto once = engine.run;
-  engine.run = [this, once](const Scene& scene, const Method& method, const Resolution& resolution,
+  engine.run = [this, once](const Scene& scene, const BodyMethods& method, const Resolution& resolution,
                             const RunOptions& options) {
     RunResult r = once(scene, method, resolution, options);
     if (calls == 20) r.history.columns[1].values.back() *= 1 + 1e-12;

@@ -101,7 +101,7 @@ methods = ["fem-full"]
 spacing = ["40 mm", "20 mm", "10 mm"]
 )" + tip_quantity("tip")));
     Engine engine;
-    engine.run = [](const Scene&, const Method&, const Resolution& resolution, const RunOptions&) {
+    engine.run = [](const Scene&, const BodyMethods&, const Resolution& resolution, const RunOptions&) {
       return result(-0.005 * (1 + 0.01 * std::log(1 / resolution.spacing)), 1, resolution.spacing);
     };
     engine.limit = [this](const Scene&, const std::array<int, 3>& divisions, int) {
@@ -170,11 +170,12 @@ class ReferenceOfAdvice : public ::testing::Test {
   }
   Advice ask() {
     Engine engine;
-    engine.run = [this](const Scene&, const Method& method, const Resolution& resolution, const RunOptions&) {
+    engine.run = [this](const Scene&, const BodyMethods& method, const Resolution& resolution,
+                        const RunOptions&) {
       ++runs;
       // Assumed strain has hardly any error of its own, so that it shows the logarithm first.
       const double d = resolution.spacing, c = method.name == "fem-assumed-strain" ? 0.01
-                                               : method.is_fem()                   ? 10
+                                               : method.all_fem()                  ? 10
                                                                                    : 40;
       RunResult r = result(-0.005 * (1 + c * d * d - logarithm * std::log(d)), 1, d);
       r.price.steps = std::lround(1e4 / d), r.price.units = std::size_t(std::lround(10 / (d * d)));

@@ -44,7 +44,7 @@ class StudyCommandTest : public ::testing::Test {
     folder.write("studies/beam/README.md", "# Beam\n\n<!-- femsph:table -->\n<!-- /femsph:table -->\n");
     command.name = folder / "studies/beam";
     command.out = folder / "results";
-    engine.run = [](const Scene&, const Method&, const Resolution& resolution, const RunOptions&) {
+    engine.run = [](const Scene&, const BodyMethods&, const Resolution& resolution, const RunOptions&) {
       return result(-25e3 / (3 * 2.1e11 * 1e-4 / 12) * (1 + resolution.spacing), 1, resolution.spacing);
     };
   }
@@ -78,7 +78,7 @@ TEST_F(StudyCommandTest, QuickForm) {
 }
 
 TEST_F(StudyCommandTest, AFailedRunIsAnExitCode) {
-  engine.run = [](const Scene&, const Method&, const Resolution&, const RunOptions&) -> RunResult {
+  engine.run = [](const Scene&, const BodyMethods&, const Resolution&, const RunOptions&) -> RunResult {
     throw std::runtime_error("no luck");
   };
   EXPECT_EQ(study_command(command, engine), 3);

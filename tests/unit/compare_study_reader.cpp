@@ -78,8 +78,9 @@ TEST_F(StudyReader, ReadsAGoodFile) {
   EXPECT_EQ(study.runs[5].case_name, "d=2.5mm");
   EXPECT_DOUBLE_EQ(study.runs[5].resolution.spacing, 2.5e-3);
   EXPECT_EQ(study.runs[5].label, "sph-corrected smoothing=1.2 kernel=wendland-c2");
-  EXPECT_DOUBLE_EQ(std::get<sph::Options>(study.runs[5].method.options).smoothing, 1.2);
-  EXPECT_EQ(std::get<sph::Options>(study.runs[5].method.options).kernel, sph::KernelKind::wendland_c2);
+  const auto& options = std::get<sph::Options>(study.runs[5].methods.entries.at(0).method.options);
+  EXPECT_DOUBLE_EQ(options.smoothing, 1.2);
+  EXPECT_EQ(options.kernel, sph::KernelKind::wendland_c2);
   EXPECT_DOUBLE_EQ(study.runs[5].march.safety, 0.5);
   EXPECT_NE(study.runs[0].ladder, study.runs[5].ladder);
   EXPECT_DOUBLE_EQ(study.quantities[0].observed.unit.factor, 1e-3);

@@ -73,8 +73,9 @@ class StudyRunner : public ::testing::Test {
     folder.write("beam/scene.toml", cantilever_toml);
     study = read_study(folder.write("beam/study.toml", runner_study));
     // The error of the tip is as many percent as the spacing has centimetres; that of the stress is -10 %.
-    engine.run = [](const Scene&, const Method& method, const Resolution& resolution, const RunOptions&) {
-      if (!method.is_fem() && resolution.spacing < 0.015) throw std::runtime_error("the step was too long");
+    engine.run = [](const Scene&, const BodyMethods& method, const Resolution& resolution,
+                    const RunOptions&) {
+      if (!method.all_fem() && resolution.spacing < 0.015) throw std::runtime_error("the step was too long");
       return result(static_tip * (1 + resolution.spacing), 0.9 * 135e6, resolution.spacing);
     };
     engine.limit = [](const Scene&, const std::array<int, 3>& divisions, int degree) {
@@ -153,7 +154,7 @@ TEST_F(StudyRunner, WithoutALimitTheRunsStillCount) {
 }
 
 TEST_F(StudyRunner, AMissingProbeIsARowWithAReason) {
-  engine.run = [](const Scene&, const Method&, const Resolution& resolution, const RunOptions&) {
+  engine.run = [](const Scene&, const BodyMethods&, const Resolution& resolution, const RunOptions&) {
     RunResult r = result(static_tip, 1, resolution.spacing);
     r.history.columns.erase(r.history.columns.begin() + 1);
     r.profiles.at("inner").columns[0].values[2] = std::nan("");
@@ -185,9 +186,9 @@ TEST_F(StudyRunner, SeriesOfHistoriesAndProfiles) {
 
 // A run that settled early leaves empty cells, and does not shorten the others.
 TEST_F(StudyRunner, SeriesOfUnequalLength) {
-  engine.run = [](const Scene&, const Method& method, const Resolution& resolution, const RunOptions&) {
+  engine.run = [](const Scene&, const BodyMethods& method, const Resolution& resolution, const RunOptions&) {
     RunResult r = result(static_tip, 1, resolution.spacing);
-    if (method.is_fem()) r.history.columns[0].values = {0, 0.005, 0.01};
+    if (method.all_fem()) r.history.columns[0].values = {0, 0.005, 0.01};
     return r;
   };
   const std::string history = series_csv(study.series[2], study, run(true));

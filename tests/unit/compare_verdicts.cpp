@@ -123,13 +123,13 @@ TEST(Verdicts, AStudyWithBounds) {
                                               "[[expectations]]\nmethods = [\"sph-corrected\"]\nmessages = "
                                               "[\"no luck\"]\nreason = \"it never has\"\n");
   Engine engine;
-  engine.run = [](const Scene&, const Method& method, const Resolution& resolution,
+  engine.run = [](const Scene&, const BodyMethods& method, const Resolution& resolution,
                   const RunOptions& options) {
     EXPECT_TRUE(options.scalars.contains("energy_drift"));
     RunResult r = result(-4.75e-3, 1, resolution.spacing);
     r.scalars = {
         {"energy_drift", 1e-5}, {"momentum_drift", 0}, {"angular_momentum_drift", 0}, {"hourglass_share", 0}};
-    if (method.is_fem()) return r;
+    if (method.all_fem()) return r;
     *options.partial = r;
     throw std::runtime_error("no luck");
   };

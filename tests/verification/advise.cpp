@@ -23,7 +23,7 @@ Question tip(const std::vector<const char*>& methods) {
 /// Runs as they are, at a price of 10 ns a unit and step: how far the ladders climb within their budget does
 /// not depend on the machine.
 compare::Engine priced_alike() {
-  return {[](const Scene& scene, const compare::Method& method, const compare::Resolution& resolution,
+  return {[](const Scene& scene, const compare::BodyMethods& method, const compare::Resolution& resolution,
              const compare::RunOptions& options) {
             compare::RunResult r = compare::run_scene(scene, method, resolution, options);
             r.price.total_cpu = 1e-8 * double(r.price.steps) * double(r.price.units);

@@ -55,6 +55,9 @@ TEST_F(CommandLine, BadCommandsExitWithTwo) {
       {run + "fem --safety nan", "femsph: --safety is nan; expected a number above 0, up to 1"},
       {run + "fem --checkpoint -5", "--checkpoint \"-5\": expected a number of steps"},
       {"run " + scene + " --solver sph --divisions 4,4 --out " + path("out"), "SPH has one spacing"},
+      {run + "bra=fem", "femsph: --solver: no body \"bra\"; expected \"bar\"; did you mean \"bar\"?"},
+      // a run goes on with the methods of its checkpoint, and takes no others
+      {"resume " + path("out") + " --solver fem", "The following arguments were not expected: fem --solver"},
       {"check " + scene + " --spacing '5 mm'", "femsph: --spacing does nothing without --solver"},
       {"check " + scene + " --solver fem --spacing '5 mm' --threads -3", "--threads is -3"},
       {"point " + scene + " --material stele --path x.csv", "did you mean \"steel\"?"},

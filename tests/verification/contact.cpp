@@ -1,4 +1,4 @@
-// Contact and rigid bodies against exact solutions, with both solvers.
+// Contact and rigid bodies against exact solutions, with both solvers and between the two.
 
 #include "model/motion/effects/contact.hpp"
 
@@ -46,6 +46,8 @@ TEST(Contact, TwoBarsExchangeTheirVelocities) {
       moving("left", "1 0 m/s") + moving("right", "-1 0 m/s") + touching("left", "right") +
       lasting(60e-6, 1000));
   for (const char* method : both) expect_impact(run(scene, method, 1), 1, method);
+  for (const char* methods : {"left=fem-full,right=sph-corrected", "left=sph-corrected,right=fem-full"})
+    expect_impact(run(scene, methods, 1), 1, methods);
 }
 
 TEST(Contact, BarAgainstARigidWall) {

@@ -36,9 +36,11 @@ inline Scene bar(const std::string& end, const std::string& poisson = "0.3") {
 inline const std::string settle = scene_text::time("200 ms", "samples = 10\n") +
                                   scene_text::settling("damping");
 
-inline compare::RunResult run(const Scene& scene, const std::string& method, double spacing_mm,
+/// `methods`: a method, or one for each body: "lower=fem-full,upper=sph-corrected".
+inline compare::RunResult run(const Scene& scene, const std::string& methods, double spacing_mm,
                               std::array<int, 3> divisions = {}) {
-  return compare::run_scene(scene, compare::method_named(method), {spacing_mm * 1e-3, divisions}, {});
+  return compare::run_scene(
+      scene, compare::read_body_methods(methods, &scene), {spacing_mm * 1e-3, divisions}, {});
 }
 
 inline double last(const compare::RunResult& r, const std::string& column) {

@@ -1,4 +1,4 @@
-// Bodies bonded where they touch, with both solvers.
+// Bodies bonded where they touch, with both solvers and between the two.
 
 #include <gtest/gtest.h>
 
@@ -54,7 +54,8 @@ TEST(Tied, BarOfTwoHalvesWithTenThousandfoldStiffness) {
           stress_probe("right", "soft", "\"102.5 mm\", \"10 mm\"") +
           "[time]\nduration = \"500 ms\"\nsamples = 10\n[settling]\nmethod = "
           "\"damping\"\ntolerance = 1e-5\n");
-  for (const char* method : {"fem-full", "fem-one-point", "sph-corrected"}) {
+  for (const char* method : {"fem-full", "fem-one-point", "sph-corrected",
+                             "stiff=fem-full,soft=sph-corrected", "stiff=sph-corrected,soft=fem-full"}) {
     const auto r = run(scene, method, 5);
     const bool fem = method[0] == 'f';
     fmt::print("{}: end {:+.4f} %, stress {:.6g} and {:.6g} Pa, force {:.6g} N, contact {:.2g} of {:.3g} J\n",
@@ -122,10 +123,11 @@ TEST(Tied, FlyingBlocksKeepMomentumAndEnergy) {
       "[[initial]]\nbody = \"stiff\"\n" + spin + "[[initial]]\nbody = \"soft\"\n" + spin +
           "[time]\nduration = \"20 ms\"\nsamples = 20\n",
       "0.3");
-  for (const char* method : {"fem-full", "sph-corrected"}) {
+  for (const char* method : {"fem-full", "sph-corrected", "stiff=fem-full,soft=sph-corrected",
+                             "stiff=sph-corrected,soft=fem-full"}) {
+    const compare::BodyMethods methods = compare::read_body_methods(method, &scene);
     std::vector<std::unique_ptr<Discretization>> bodies;
-    for (std::size_t b = 0; b < 2; ++b)
-      bodies.push_back(compare::discretize(scene, b, compare::method_named(method), {4e-3, {}}));
+    for (std::size_t b = 0; b < 2; ++b) bodies.push_back(compare::discretize(scene, b, methods, {4e-3, {}}));
     March march(scene, std::move(bodies), {});
     std::optional<Momentum> start;
     double linear = 0, angular = 0, imbalance = 0, bond = 0;

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cctype>
+#include <functional>
 #include <stdexcept>
 
 namespace femsph::compare {
@@ -53,6 +54,32 @@ std::string why_idle(const Method& method, const MethodOption& option) {
   return option.idle(method);
 }
 
+std::string why_idle(const BodyMethods& methods, const MethodOption& option) {
+  std::vector<std::string> reasons;
+  for (const BodyMethod& entry : methods.entries) {
+    const std::string why = why_idle(entry.method, option);
+    if (why.empty()) return "";
+    if (std::find(reasons.begin(), reasons.end(), why) == reasons.end()) reasons.push_back(why);
+  }
+  return fmt::format("{}", fmt::join(reasons, ", and "));
+}
+
+std::string bodies_with(const BodyMethods& methods, const MethodOption& option) {
+  std::vector<std::string> with, without;
+  bool others = false, all = true;  // others: the bodies that are not named
+  for (const BodyMethod& entry : methods.entries) {
+    const bool idle = !why_idle(entry.method, option).empty();
+    all = all && !idle;
+    if (entry.body.empty())
+      others = !idle;
+    else
+      (idle ? without : with).push_back(entry.body);
+  }
+  if (all) return "";
+  return others ? fmt::format("every body but {}", fmt::join(without, ", "))
+                : fmt::format("{}", fmt::join(with, ", "));
+}
+
 bool Overrides::has(const std::string& word) const {
   return std::any_of(values.begin(), values.end(), [&](const auto& v) { return v.first->word == word; });
 }
@@ -65,21 +92,26 @@ void Overrides::set(const std::string& word, OptionValue value) {
   values.insert(after, {&option, std::move(value)});
 }
 
-void Overrides::apply(Method& method) const {
-  for (const auto& [option, value] : values)
-    if (method.is_fem() ? option->of_fem : option->of_sph) option->set(method, value);
+void Overrides::apply(BodyMethods& methods) const {
+  for (BodyMethod& entry : methods.entries) {
+    entry.changes = describe(entry.method);
+    for (const auto& [option, value] : values)
+      if (why_idle(entry.method, *option).empty()) option->set(entry.method, value);
+  }
 }
 
-std::string Overrides::describe() const {
+std::string Overrides::describe(const Method& method) const {
   std::string text;
-  for (const auto& [option, value] : values) text += fmt::format(" {}={}", option->word, text_of(value));
+  for (const auto& [option, value] : values)
+    if (why_idle(method, *option).empty()) text += fmt::format(" {}={}", option->word, text_of(value));
   return text;
 }
 
 KeyTable override_keys() {
   KeyTable table{"[runs.options]",
                  "Changes to the methods, inline: options = {smoothing = 1.2}. Each of the methods must have "
-                 "the option.",
+                 "the option; with a method for each body, that of at least one body must, and it applies to "
+                 "those that do.",
                  {}};
   for (const MethodOption& option : method_options()) {
     std::string about = option.about + ".";
@@ -89,10 +121,11 @@ KeyTable override_keys() {
   return table;
 }
 
-Overrides read_overrides(Fields& options, const std::vector<Method>& methods) {
-  const auto is_fem = [](const Method& method) { return method.is_fem(); };
-  const bool any_fem = std::any_of(methods.begin(), methods.end(), is_fem),
-             any_sph = !std::all_of(methods.begin(), methods.end(), is_fem);
+Overrides read_overrides(Fields& options, const std::vector<BodyMethods>& methods) {
+  const auto any = [&](bool (BodyMethods::*holds)() const) {
+    return std::any_of(methods.begin(), methods.end(), std::mem_fn(holds));
+  };
+  const bool any_fem = any(&BodyMethods::all_fem), any_sph = any(&BodyMethods::all_sph);
   Overrides read;
   std::vector<const MethodOption*> asked;
   for (const MethodOption& option : method_options()) {
@@ -102,7 +135,7 @@ Overrides read_overrides(Fields& options, const std::vector<Method>& methods) {
   }
   options.done();
   for (const MethodOption* option : asked)
-    for (const Method& method : methods)
+    for (const BodyMethods& method : methods)
       if (const std::string why = why_idle(method, *option); !why.empty() && options.has(option->word)) {
         options.fault(
             option->word, fmt::format("\"{}\" does nothing with {}: {}", option->word, method.name, why));

@@ -7,7 +7,7 @@
 #include <variant>
 #include <vector>
 
-#include "compare/run/plan/method.hpp"
+#include "compare/run/plan/body_methods.hpp"
 #include "model/input/toml_fields.hpp"
 
 namespace femsph::compare {
@@ -44,6 +44,10 @@ const MethodOption& method_option(const std::string& word);
 
 /// Why an option has no effect on this method: "it is an option of SPH"; empty if it has one.
 std::string why_idle(const Method& method, const MethodOption& option);
+/// Why it has no effect on the method of any body; empty if it has one on some.
+std::string why_idle(const BodyMethods& methods, const MethodOption& option);
+/// "bar" or "every body but plate": the bodies on whose methods the option has an effect. Empty: all.
+std::string bodies_with(const BodyMethods& methods, const MethodOption& option);
 
 /// Changes to a method's options.
 struct Overrides {
@@ -51,15 +55,17 @@ struct Overrides {
 
   bool has(const std::string& word) const;
   void set(const std::string& word, OptionValue value);
-  void apply(Method& method) const;
-  /// " smoothing=1.2 alpha=5", to tell a changed method from the plain one in tables; empty if nothing is
-  /// changed.
-  std::string describe() const;
+  /// To the methods of those bodies on which they have an effect; notes these in BodyMethod::changes.
+  void apply(BodyMethods& methods) const;
+  /// " smoothing=1.2 alpha=5": those that have an effect on the method, to tell a changed method from the
+  /// plain one in tables; empty if nothing is changed.
+  std::string describe(const Method& method) const;
 };
 
 /// The keys of options = {..} in [[runs]].
 KeyTable override_keys();
-/// Reads the options that every one of `methods` has; faults for the others, with "did you mean".
-Overrides read_overrides(Fields& options, const std::vector<Method>& methods);
+/// Reads the options that every one of `methods` has, for at least one body; faults for the others, with "did
+/// you mean".
+Overrides read_overrides(Fields& options, const std::vector<BodyMethods>& methods);
 
 }  // namespace femsph::compare

@@ -3,14 +3,14 @@
 
 #include <string>
 
-#include "compare/run/plan/method.hpp"
+#include "compare/run/plan/body_methods.hpp"
 #include "model/motion/march.hpp"
 
 namespace femsph::compare {
 
 struct PlannedRun {
-  std::string case_name, label;  ///< label: the method's name in tables
-  Method method;                 ///< with the study's overrides
+  std::string case_name, label;  ///< label: the methods' name in tables
+  BodyMethods methods;           ///< with the study's overrides
   Resolution resolution;
   std::string scene;  ///< a key of Study::scenes
   MarchOptions march;

@@ -60,7 +60,7 @@ struct AdviceSpec {
   std::string scene, quantity;
   std::optional<double> error, within;  ///< percent; s
   double budget = 30;                   ///< s
-  std::vector<Method> methods;          ///< empty: those of `femsph advise`
+  std::vector<BodyMethods> methods;     ///< empty: those of `femsph advise`
 };
 
 struct Study {

@@ -11,6 +11,7 @@ const KeyPage& study_page();
 KeyTable study_top_keys();
 // study_runs.cpp
 KeyTable run_keys();
+// study_limit.cpp
 KeyTable limit_keys();
 KeyTable scene_limit_keys();
 // study_quantities.cpp

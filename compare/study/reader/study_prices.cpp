@@ -115,7 +115,13 @@ void one_advice(Fields& fields, StudyReading& reading) {
   advice.within = fields.quantity("within", Need::optional, dimension::time, Sign::positive);
   advice.budget =
       fields.quantity("budget", Need::optional, dimension::time, Sign::positive).value_or(advice.budget);
-  advice.methods = read_methods(fields, Need::optional);
+  if (quantity && quantity->scene)
+    advice.scene = *quantity->scene;
+  else if (quantity && !study.scenes.empty())  // empty: reported where the scene is named
+    advice.scene = study.scenes.begin()->first;
+  const auto scene = study.scenes.find(advice.scene);
+  advice.methods = read_methods(
+      fields, Need::optional, scene == study.scenes.end() ? nullptr : &scene->second);
   fields.done();
   if (fields.has("error") == fields.has("within") && !fields.misspelt({"error", "within"}))
     fields.fault(
@@ -126,10 +132,6 @@ void one_advice(Fields& fields, StudyReading& reading) {
         "quantity",
         fmt::format("{} has no limit of one scene; expected a quantity that names its scene, other than l2",
                     in_quotes(advice.quantity)));
-  else if (quantity && quantity->scene)
-    advice.scene = *quantity->scene;
-  else if (quantity && !study.scenes.empty())  // empty: reported where the scene is named
-    advice.scene = study.scenes.begin()->first;
   reading.study.advice.push_back(advice);
 }
 

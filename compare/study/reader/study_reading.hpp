@@ -28,8 +28,8 @@ bool require_known(const Fields& fields, const char* key, const std::string& wha
 const Scene* scene_of(const Fields& fields, const char* key, const std::string& file, StudyReading& reading);
 
 void read_runs(Fields& root, StudyReading& reading);  // study_runs.cpp
-void read_limit(Fields& root, StudyReading& reading);
 void read_repeat(Fields& root, StudyReading& reading);
+void read_limit(Fields& root, StudyReading& reading);       // study_limit.cpp
 void read_quantities(Fields& root, StudyReading& reading);  // study_quantities.cpp
 void read_series(Fields& root, StudyReading& reading);      // study_series.cpp
 void read_paper(Fields& root, StudyReading& reading);       // study_claims.cpp
@@ -38,7 +38,8 @@ void read_bounds(Fields& root, StudyReading& reading);  // study_bounds.cpp: [[b
 
 void read_prices(Fields& root, StudyReading& reading);  // study_prices.cpp
 void read_advice(Fields& root, StudyReading& reading);
-std::vector<Method> read_methods(Fields& fields, Need need);  // study_runs.cpp
+/// The methods at the key "methods"; `scene`: what their bodies are checked against, null if it is not known.
+std::vector<BodyMethods> read_methods(Fields& fields, Need need, const Scene* scene);  // study_runs.cpp
 
 /// Cells along the axes from "20x2" or "20x2x1". Nothing if it is neither.
 std::optional<std::array<int, 3>> parse_divisions(const std::string& text);

@@ -1,4 +1,4 @@
-// [[runs]] and [limit] of a study: the runs with their resolutions, and what they should converge to.
+// [[runs]] of a study: the runs with their methods and resolutions.
 
 #include <fmt/format.h>
 
@@ -17,7 +17,11 @@ KeyTable run_keys() {
       "[[runs]]",
       "Runs every method at every resolution. The runs of one table form one ladder, whose order of "
       "convergence is in orders.csv.",
-      {{"methods", key_holds::texts, "Names of methods: see `femsph list`.", true},
+      {{"methods", key_holds::texts,
+        "Names of methods: see `femsph list`. A method for each body is one text: "
+        "[\"bar=sph-corrected,plate=fem-full\"], or \"fem-full,bar=sph-corrected\" with the method of all "
+        "other bodies.",
+        true},
        {"spacing", key_holds::quantities(dimension::length),
         "Particle spacings, or edge lengths of cells. Either this or \"divisions\"."},
        {"divisions", key_holds::texts, "Cells along the axes, such as [\"20x2\", \"40x4\"]."},
@@ -25,7 +29,8 @@ KeyTable run_keys() {
        {"quick", key_holds::texts, "Which of these cases --quick runs. None unless given."},
        {"scene", "a text: the file of a scene, beside the study", "The study's scene unless given."},
        {"smoothing_lengths", key_holds::numbers,
-        "SPH with each of these smoothing lengths, h over the spacing; each counts as a method."},
+        "SPH with each of these smoothing lengths, h over the spacing; each counts as a method. With a "
+        "method for each body: for those with SPH."},
        {"safety", key_holds::number,
         "The time step over the critical step, up to 2 (above 1 only to show the instability). 0.9 unless "
         "given."},
@@ -34,36 +39,14 @@ KeyTable run_keys() {
         "A name for the method in tables; only with one method. Its name and options unless given."}}};
 }
 
-KeyTable limit_keys() {
-  return {
-      "[limit]",
-      "The converged static solution of the elastic body, by FEM of high degree, to compare with. It holds "
-      "for every scene that [[limits]] does not name.",
-      {{"divisions", "a text: cells along the axes, such as \"100x10\"", "The mesh of the solution.", true},
-       {"degree", key_holds::count, "The degree of the shape functions, 1 to 8. 4 unless given."}}};
-}
-
-KeyTable scene_limit_keys() {
-  return {"[[limits]]",
-          "The same for one scene; or Richardson's extrapolation of a ladder of runs to spacing zero, for "
-          "any quantity.",
-          {{"scene", "a text: the file of a scene that a run uses", "The scene that it holds for.", true},
-           {"divisions", "a text: cells along the axes, such as \"100x10\"", "The mesh of the solution.",
-            false, "unless \"ladder\" is given"},
-           {"degree", key_holds::count, "The degree of the shape functions, 1 to 8. 4 unless given."},
-           {"ladder", "a text: the name of a method in tables",
-            "The method whose three or more spacings are extrapolated.", false,
-            "unless \"divisions\" is given"}}};
-}
-
-std::vector<Method> read_methods(Fields& fields, Need need) {
-  std::vector<Method> found;
+std::vector<BodyMethods> read_methods(Fields& fields, Need need, const Scene* scene) {
+  std::vector<BodyMethods> found;
   const auto names = fields.texts("methods", need, "a list of methods, such as [\"fem-full\"]");
   if (names && names->empty())
     fields.fault("methods", "\"methods\" is empty; expected a list of methods, such as [\"fem-full\"]");
   for (const std::string& name : names.value_or(std::vector<std::string>{})) {
     try {
-      found.push_back(method_named(name));
+      found.push_back(read_body_methods(name, scene));
     } catch (const std::runtime_error& e) {
       fields.fault("methods", e.what());
     }
@@ -124,8 +107,8 @@ std::vector<std::string> read_cases(Fields& fields, const std::vector<Resolution
 }
 
 /// Smoothing lengths over the spacing, each of which counts as a method. Not given: the methods as they are.
-std::vector<std::optional<double>> read_smoothing_lengths(Fields& fields, const std::vector<Method>& chosen,
-                                                          const Overrides& overrides) {
+std::vector<std::optional<double>> read_smoothing_lengths(
+    Fields& fields, const std::vector<BodyMethods>& chosen, const Overrides& overrides) {
   const char* const key = "smoothing_lengths";
   if (fields.has("supports")) {
     fields.accept("supports");  // no second message that the key is unknown
@@ -141,26 +124,33 @@ std::vector<std::optional<double>> read_smoothing_lengths(Fields& fields, const 
                                   range.describe()));
   if (overrides.has("smoothing") || fields.has("label"))
     fields.fault(key, "\"smoothing_lengths\" beside a smoothing or a label; expected one of them");
-  for (const Method& method : chosen)
-    if (method.is_fem())
+  for (const BodyMethods& method : chosen)
+    if (method.all_fem())
       fields.fault(key, fmt::format("\"smoothing_lengths\" with {}; expected it with SPH only", method.name));
   return {given->begin(), given->end()};
 }
 
-std::string smoothing_label(const std::optional<double>& smoothing) {
-  return smoothing ? fmt::format(" h={:g}d", *smoothing) : "";
+/// The methods' name in tables, with their changes beside the method of each body.
+std::string label_of(const BodyMethods& methods, const Overrides& overrides,
+                     const std::optional<double>& smoothing) {
+  std::string label;
+  for (const BodyMethod& entry : methods.entries) {
+    label += (label.empty() ? "" : ",") + entry.body + (entry.body.empty() ? "" : "=");
+    label += entry.method.name + overrides.describe(entry.method);
+    if (smoothing && !entry.method.is_fem()) label += fmt::format(" h={:g}d", *smoothing);
+  }
+  return label;
 }
 
 /// FEM of bodies whose shapes are made of cells (mesh files) has one resolution, whatever the spacing:
 /// several would repeat the same run.
-void refuse_same_cells(Fields& fields, const Scene* scene, const std::vector<Method>& chosen,
+void refuse_same_cells(Fields& fields, const Scene* scene, const std::vector<BodyMethods>& chosen,
                        std::size_t resolutions) {
-  if (!scene || resolutions < 2 ||
-      !std::all_of(scene->bodies.begin(), scene->bodies.end(),
-                   [](const Body& b) { return b.rigid || (b.shape && b.shape->cells()); }))
-    return;
-  for (const Method& method : chosen)
-    if (method.is_fem())
+  if (!scene || resolutions < 2) return;
+  for (const BodyMethods& method : chosen)
+    if (std::all_of(scene->bodies.begin(), scene->bodies.end(), [&](const Body& b) {
+          return b.rigid || (b.shape && b.shape->cells() && method.of(b).is_fem());
+        }))
       fields.fault(
           fields.has("spacing") ? "spacing" : "divisions",
           fmt::format("{} resolutions for {}, but the cells of every body come from its shape; expected one",
@@ -172,7 +162,7 @@ void one_block(Fields& fields, StudyReading& reading, int ladder) {
       fields.text("scene", Need::optional, "the file of a scene").value_or(reading.default_scene);
   const Scene* scene = fields.misspelt({"scene"}) ? nullptr : scene_of(fields, "scene", file, reading);
   std::size_t faults = reading.faults.size();
-  std::vector<Method> chosen = read_methods(fields, Need::required);
+  const std::vector<BodyMethods> chosen = read_methods(fields, Need::required, scene);
   const std::size_t before = reading.faults.size();
   const auto resolutions = read_resolutions(fields, scene ? scene->dim() : 0);
   const bool misspelt = fields.misspelt(
@@ -199,14 +189,13 @@ void one_block(Fields& fields, StudyReading& reading, int ladder) {
   if (reading.faults.size() > faults) reading.runs_known = false;
   fields.done();
   for (std::size_t i = 0; i < resolutions.size(); ++i)
-    for (const Method& method : chosen)
+    for (const BodyMethods& methods : chosen)
       for (const auto& smoothing : smoothing_lengths) {
         Overrides changes = overrides;
         if (smoothing) changes.set("smoothing", *smoothing);
-        const std::string name = label.value_or(
-            method.name + overrides.describe() + smoothing_label(smoothing));
-        PlannedRun run{cases[i], name, method, resolutions[i], file, {}, false, ladder};
-        changes.apply(run.method);
+        const std::string name = label.value_or(label_of(methods, overrides, smoothing));
+        PlannedRun run{cases[i], name, methods, resolutions[i], file, {}, false, ladder};
+        changes.apply(run.methods);
         if (safety) run.march.safety = *safety;
         run.march.step = step;
         run.quick = std::find(quick.begin(), quick.end(), cases[i]) != quick.end();
@@ -237,62 +226,6 @@ void read_runs(Fields& root, StudyReading& reading) {
 
 void read_repeat(Fields& root, StudyReading& reading) {
   reading.study.repeat = root.count("repeat", Need::optional, 1, 99).value_or(1);
-}
-
-namespace {
-
-/// The keys that [limit] and [[limits]] share.
-LimitSpec one_limit(Fields& fields, int dim) {
-  LimitSpec limit;
-  const auto text = fields.text("divisions", Need::required, "cells along the axes, such as \"100x10\"");
-  limit.degree = fields.count("degree", Need::optional, 1, 8).value_or(limit.degree);
-  if (!text) return limit;
-  const auto cells = parse_divisions(*text);
-  if (cells && (dim == 0 || ((*cells)[2] > 0) == (dim == 3)))
-    limit.divisions = *cells;
-  else
-    fields.fault(
-        "divisions", fmt::format("\"divisions\" is {}; expected cells along the axes, such as \"100x10\"",
-                                 in_quotes(*text)));
-  return limit;
-}
-
-/// Richardson's limit of a ladder: it needs three runs of that label and scene.
-LimitSpec ladder_limit(Fields& fields, const std::string& scene, const StudyReading& reading) {
-  const Study& study = reading.study;
-  LimitSpec limit;
-  limit.ladder = fields.text("ladder", Need::required, "the name of a method in tables").value_or("");
-  const auto rungs = std::count_if(study.runs.begin(), study.runs.end(), [&](const PlannedRun& run) {
-    return run.label == limit.ladder && run.scene == scene;
-  });
-  if (!limit.ladder.empty() && reading.runs_known &&
-      require_known(fields, "ladder", "method", limit.ladder, method_labels(study), true) && rungs < 3)
-    fields.fault(
-        "ladder", fmt::format("{} runs {} at {} spacings; expected three or more to extrapolate from",
-                              in_quotes(limit.ladder), in_quotes(scene), rungs));
-  return limit;
-}
-
-void scene_limit(Fields& fields, StudyReading& reading) {
-  const auto name = read_scene_name(fields, Need::required, reading);
-  if (!name) return fields.accept_rest(), fields.done();
-  const bool by_ladder = fields.has("ladder") || fields.misspelt({"ladder"});
-  const LimitSpec limit = by_ladder ? ladder_limit(fields, *name, reading)
-                                    : one_limit(fields, reading.study.scenes.at(*name).dim());
-  fields.done();
-  reading.study.limits[*name] = limit;
-}
-
-}  // namespace
-
-void read_limit(Fields& root, StudyReading& reading) {
-  if (auto fields = root.table(
-          "limit", Need::optional, "a table with divisions = \"100x10\" and degree = 4")) {
-    reading.study.limit = one_limit(*fields, 0);
-    fields->done();
-  }
-  if (root.misspelt({"limit", "limits"})) reading.limits_known = false;
-  for (Fields& fields : root.tables("limits")) scene_limit(fields, reading);
 }
 
 }  // namespace femsph::compare
