@@ -42,8 +42,7 @@ class BondBody : public ParticleBody {
   virtual bool advance_material(double dt) = 0;
   virtual void material_archive(Archive& archive) = 0;
   /// Turns the ratio of the bonds' grip on each particle to that at the start into the ratio of stiffness.
-  /// Whether the law stiffens at all.
-  virtual bool stiffen(const double* u, AlignedVector<double>& ratio) const = 0;
+  virtual void stiffen(AlignedVector<double>& ratio) const = 0;
 
   /// Energy of the springs, and the part of it that flow has taken, J.
   double spring_energy() const;
@@ -117,7 +116,7 @@ class BondBody : public ParticleBody {
   AlignedVector<double> start_;                    ///< undeformed positions, flat
   AlignedVector<double> volume_, kernel_volume_;   ///< V0 and K, m^dim
   AlignedVector<double> part_;  ///< of a particle's volume in the body; empty without symmetry planes
-  mutable AlignedVector<double> l_, resultant_, grip_, forgotten_;  ///< [block][component][lane]
+  mutable AlignedVector<double> l_, resultant_, grip_, tension_, forgotten_;  ///< [block][component][lane]
   AlignedVector<double> grip_at_start_;
   mutable MotionRecords motion_;
   mutable ForceRecords forces_;

@@ -130,10 +130,10 @@ class BondLaw final : public BondBody<dim> {
 
   void material_archive(Archive& archive) override { archive("material", state_); }
 
-  bool stiffen(const double*, AlignedVector<double>& ratio) const override {
-    if constexpr (!large || !Stiffens<LawType>) {
-      return false;
-    } else {
+  void stiffen(AlignedVector<double>& ratio) const override {
+    if constexpr (large && !Stiffens<LawType>) {
+      std::fill(ratio.begin(), ratio.end(), 1.0);
+    } else if constexpr (large) {
       for_blocks([&](std::size_t block) {
         Pack& r = *reinterpret_cast<Pack*>(&ratio[block * lanes]);
         if constexpr (flows) {
@@ -147,7 +147,6 @@ class BondLaw final : public BondBody<dim> {
           r = femsph::stiffening<Pack, dim>(law_, inverse, J);
         }
       });
-      return true;
     }
   }
 

@@ -148,22 +148,24 @@ void BondBody<dim>::bond_forces(BondLists& lists, const Step& step, double* f,
         const Pack m = square_root(m2), grown = (step.time * along - 0.5 * bent) / m;
         Pack eta = load<Pack>(bonds.eta + k), q = load<Pack>(bonds.misfit + k);
         const Pack stiff = spring * load<Pack>(bonds.volumes + k);
+        s = Spline::steepness(per_h * eta);
+        const Pack q_before = q, s_before = s;
+        q = select(s > 0.0, q + grown, Pack{});
         if constexpr (flowing) {
-          // Memory decays with the flow: eta' = rate (R - eta), q' = m - rate q, with exp(-rate dt) = kept.
           Pack other_kept;
           for (int l = 0; l < lanes; ++l) other_kept[l] = kept_[std::size_t(index[l])];
-          const Pack keep = 0.5 * (kept + other_kept), root = square_root(keep), start = 2.0 * m - R;
-          const Pack before = stiff * spring_weight(Spline::steepness(per_h * eta), per_h * eta) * q,
-                     q_before = q;
-          eta = select(keep < 1.0, R + keep * (eta - start) - root * (R - start), eta);
-          store(bonds.eta + k, eta);
-          s = Spline::steepness(per_h * eta);
-          q = select(s > 0.0, root * (root * q + grown), Pack{});
-          const Pack after = stiff * spring_weight(s, per_h * eta) * q;
-          forgotten += before * q_before - after * q + (before + after) * grown;
-        } else {
-          s = Spline::steepness(per_h * eta);
-          q = select(s > 0.0, q + grown, Pack{});
+          const Pack keep = 0.5 * (kept + other_kept);
+          if (any(keep < 1.0)) {
+            // Memory decays with the flow: eta' = rate (R - eta), q' = m - rate q, with exp(-rate dt) = keep.
+            const Pack root = square_root(keep), start = 2.0 * m - R;
+            const Pack before = stiff * spring_weight(s_before, per_h * eta) * q_before;
+            eta = select(keep < 1.0, R + keep * (eta - start) - root * (R - start), eta);
+            store(bonds.eta + k, eta);
+            s = Spline::steepness(per_h * eta);
+            q = select(s > 0.0, root * (root * q_before + grown), Pack{});
+            const Pack after = stiff * spring_weight(s, per_h * eta) * q;
+            forgotten += before * q_before - after * q + (before + after) * grown;
+          }
         }
         store(bonds.misfit + k, q);
         const Pack per_R = 1.0 / R, t = stiff * spring_weight(s, per_h * eta) * q * per_R;
@@ -199,18 +201,20 @@ void BondBody<dim>::bond_forces(BondLists& lists, const Step& step, double* f,
       N[c] = load<Pack>(&resultant_[(block * n + std::size_t(c)) * lanes]) * thickness_;
       if constexpr (!fluid) N[c] -= 0.5 * S[c];
     }
-    Pack record[ForceRecords::fields] = {};
+    Pack record[ForceRecords::fields] = {}, pulls{};
     for (int r = 0; r < dim; ++r) {
       record[place + r] = own[middle + r] + step.half * own[velocity + r];
       for (int c = 0; c < dim; ++c) {
         Pack Q = N(r, 0) * B(0, c);
         for (int l = 1; l < dim; ++l) Q += N(r, l) * B(l, c);
+        pulls += Q * Q;
         record[pull + r * dim + c] = factor * Q;
       }
     }
     record[extent] = own[measure];
     forces_.store_block(block, record);
     store(&grip_[block * lanes], grip * largest_eigenvalue_bound(B));
+    store(&tension_[block * lanes], grip * square_root(pulls));
     const Pack own_part = part(block);
     if constexpr (flowing)
       store(&forgotten_[block * lanes], load<Pack>(&forgotten_[block * lanes]) + own_part * forgotten);

@@ -22,9 +22,10 @@ BondLists::BondLists(const Particles& particles, const Layout& layout, double ra
 std::size_t BondLists::bytes() const {
   std::size_t sum = searched_.size() * sizeof(double) + position_.size() * sizeof(Point) + cells_.bytes() +
                     images_.size() * sizeof(Image) + number_of_.size() * sizeof(std::int32_t);
-  for (const Chunk& c : chunks_)
-    sum += c.index.size() * sizeof(std::int32_t) + c.begin.size() * sizeof(std::uint32_t) +
-           (c.eta.size() + c.misfit.size() + c.weight.size() + c.volumes.size()) * sizeof(double);
+  for (const std::vector<Chunk>* chunks : {&chunks_, &old_chunks_})
+    for (const Chunk& c : *chunks)
+      sum += c.index.size() * sizeof(std::int32_t) + c.begin.size() * sizeof(std::uint32_t) +
+             (c.eta.size() + c.misfit.size() + c.weight.size() + c.volumes.size()) * sizeof(double);
   return sum;
 }
 
@@ -42,12 +43,6 @@ bool BondLists::stale(const double* u) const {
     most = r2 > most ? r2 : most;
   }
   return most > 0.25 * skin_ * skin_;
-}
-
-void BondLists::clear() {
-  searched_.clear();
-  chunks_.clear();
-  images_.clear();
 }
 
 void BondLists::forget_misfits() {
@@ -106,14 +101,14 @@ void BondLists::search(const double* u) {
     return;
   }
   chunks_.resize((size_ + blocks_in_chunk * lanes - 1) / (blocks_in_chunk * lanes));
+  old_chunks_.resize(chunks_.size());
   parallel_for(
       chunks_.size(), 1,
       [&](std::size_t begin, std::size_t end) {
         std::vector<std::int32_t> known(remembers_ ? size_ << planes_.size() : 0, -1);
         for (std::size_t c = begin; c < end; ++c) {
-          const Chunk old = std::move(chunks_[c]);
-          chunks_[c] = {};
-          fill(c, old, old_images, known);
+          std::swap(chunks_[c], old_chunks_[c]);
+          fill(c, old_chunks_[c], old_images, known);
         }
       },
       blocks_in_chunk * lanes);
@@ -143,6 +138,7 @@ void BondLists::fill(std::size_t chunk, const Chunk& old, const std::vector<Imag
   const std::size_t first_block = chunk * blocks_in_chunk, blocks = (size_ + lanes - 1) / lanes;
   Chunk& out = chunks_[chunk];
   out.begin.assign(1, 0);
+  out.index.clear(), out.eta.clear(), out.misfit.clear();
   std::vector<Found> row[lanes];
   for (std::size_t b = first_block; b < std::min(first_block + blocks_in_chunk, blocks); ++b) {
     std::size_t most = 0;
@@ -192,13 +188,14 @@ void BondLists::fill(std::size_t chunk, const Chunk& old, const std::vector<Imag
 /// The arrays of a chunk that follow from its indices.
 void BondLists::finish(std::size_t chunk) {
   Chunk& out = chunks_[chunk];
-  out.weight.assign(out.index.size(), 0.0);
+  out.weight.resize(out.index.size());
   if (!remembers_) return;
-  out.volumes.assign(out.index.size(), 0.0);
+  out.volumes.resize(out.index.size());
   for (std::size_t b = 0; b + 1 < out.begin.size(); ++b)
     for (std::size_t e = out.begin[b] * lanes; e < out.begin[b + 1] * lanes; ++e) {
       const std::size_t i = (chunk * blocks_in_chunk + b) * lanes + e % lanes;
       const auto j = std::size_t(out.index[e]);
+      out.volumes[e] = 0;
       if (i >= size_ || j == i) continue;
       out.volumes[e] = particles_.kernel_volume[i] *
                        particles_.kernel_volume[j < size_ ? j : images_[j - first_image_].of];

@@ -36,8 +36,6 @@ class BondLists {
   /// New lists at displacement u.
   void search(const double* u);
   bool searched() const { return !searched_.empty(); }
-  /// Forgets the last search and all bonds.
-  void clear();
   /// Sets the misfit of every bond to 0.
   void forget_misfits();
 
@@ -118,7 +116,7 @@ class BondLists {
   std::vector<Image> images_;
   std::vector<std::int32_t> number_of_;  ///< by key: the number of a particle or image, -1 if there is none
   CellList cells_;
-  std::vector<Chunk> chunks_;
+  std::vector<Chunk> chunks_, old_chunks_;  ///< of the search before: their memory is used again
   int fullest_at_start_ = 0;
   std::optional<std::size_t> crowded_;
   long searches_ = 0;
