@@ -1,6 +1,7 @@
 #include "model/material/laws/fluid.hpp"
 
 #include "model/input/toml_fields.hpp"
+#include "model/material/laws/log_volume.hpp"
 #include "model/material/laws/point_stress.hpp"
 #include "model/numerics/elementary.hpp"
 
@@ -47,7 +48,7 @@ template <class T, int dim>
 void Fluid::advance(const Symmetric<T, dim>& increment, Symmetric<T, dim>& stress, T* history) const {
   plastic::PointStress<T, dim> s{stress, T{}};
   if constexpr (dim == 2) s.across = history[across];
-  const T before = history[log_volume], change = trace(increment), now = before + change;
+  const T before = history[log_volume], now = before + log_volume_change(increment);
   const T factor = cauchy ? broadcast<T>(1.0) : exponential(now);
   const T mean = s.mean();
   const T pressure = -mean * (cauchy ? broadcast<T>(1.0) : exponential(-before));
@@ -56,7 +57,8 @@ void Fluid::advance(const Symmetric<T, dim>& increment, Symmetric<T, dim>& stres
   if (parameters.viscosity > 0) {
     // At rest the stress stays: a stress that is read again, without a step, is the same.
     const auto moving = contract(increment, increment) > 0.0;
-    const T rate = (step > 0 ? 2 * parameters.viscosity / step : 0.0) * factor, third = (1.0 / 3) * change;
+    const T rate = (step > 0 ? 2 * parameters.viscosity / step : 0.0) * factor,
+            third = (1.0 / 3) * trace(increment);
     T twice{};
     for (int k = 0; k < symmetric_size<dim>; ++k) {
       const T old = k < dim ? stress[k] - mean : stress[k];

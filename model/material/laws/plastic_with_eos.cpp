@@ -1,5 +1,7 @@
 #include "model/material/laws/plastic_with_eos.hpp"
 
+#include "model/material/laws/log_volume.hpp"
+
 namespace femsph {
 
 PlasticWithEos PlasticWithEos::of(const Plasticity& p, const ElasticConstants& m, Plane plane) {
@@ -19,7 +21,7 @@ void PlasticWithEos::advance(const Symmetric<T, dim>& increment, Symmetric<T, di
                              T* history) const {
   plastic::PointStress<T, dim> s{stress, T{}};
   if constexpr (dim == 2) s.across = history[normal];
-  const T before = history[log_volume], now = before + trace(increment);
+  const T before = history[log_volume], now = before + log_volume_change(increment);
   const T factor = cauchy ? broadcast<T>(1.0) : exponential(now);
   const T mean = s.mean();
   const T pressure = -mean * (cauchy ? broadcast<T>(1.0) : exponential(-before));
