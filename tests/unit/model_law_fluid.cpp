@@ -229,6 +229,17 @@ TEST(Fluid, ViscousShear) {
   EXPECT_DOUBLE_EQ(law.stiffening(1.0, 1.0), 1 + 8.0 / 3 * 2 / 1e-3 / 2.2e9);
 }
 
+// A step of the midpoint rule from stretch 1 to a: d = 2 (a - 1)/(a + 1). ln J is ln a to fifth order in d.
+TEST(Fluid, VolumeOfALargeStep) {
+  for (const double stretch : {0.9, 0.97, 1.1}) {
+    Symmetric<double, 3> s{};
+    double history[Fluid::history_size<3>] = {};
+    const double d = 2 * (stretch - 1) / (stretch + 1);
+    fluid(linear_water(0), 1000).update(Symmetric<double, 3>{d, 0, 0, 0, 0, 0}, s, history);
+    EXPECT_NEAR(history[Fluid::log_volume], std::log(stretch), std::pow(std::abs(d), 5) / 60);
+  }
+}
+
 // The Kirchhoff stress is J times the Cauchy stress, and so are the energies.
 TEST(Fluid, CauchyOrKirchhoff) {
   Fluid law = fluid(copper(), 8930, Plane::none), same = law;
@@ -240,7 +251,8 @@ TEST(Fluid, CauchyOrKirchhoff) {
     law.update(d, tau, a);
     same.update(d, sigma, b);
   }
-  const double J = std::exp(-0.13);
+  EXPECT_NEAR(a[Fluid::log_volume], -0.13, 1e-4);
+  const double J = std::exp(a[Fluid::log_volume]);
   EXPECT_NEAR(tau[0], J * sigma[0], 1e-9 * std::abs(tau[0]));
   EXPECT_NEAR(law.stored(a), J * same.stored(b), 1e-9 * law.stored(a));
 }
