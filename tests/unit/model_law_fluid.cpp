@@ -113,12 +113,9 @@ TEST(EquationOfState, StiffnessIsTheSlope) {
                    slope = (next(-small) - next(small * (J == 1 ? 0 : 1))) / (J == 1 ? 1 : 2) / small;
       EXPECT_NEAR(eos.stiffness(J), J * J * slope / eos.bulk, J == 1 ? 1e-3 : 1e-6) << J;
     }
-  EXPECT_EQ(copper().stiffness(0.3), std::numeric_limits<double>::infinity());  // 1 - 1.489 0.7 < 0
-}
-
-// e of Mie-Grueneisen holds the dissipated work too: at J = 1 the pressure is gamma0 heat.
-TEST(EquationOfState, HeatRaisesThePressure) {
+  // e holds the dissipated work too: at J = 1 the pressure is gamma0 times it.
   EXPECT_NEAR(copper().advance<double>(0, 0, {0, 0}, 5e6).pressure, 2.02 * 5e6, 1e-6);
+  EXPECT_EQ(copper().stiffness(0.3), std::numeric_limits<double>::infinity());  // 1 - 1.489 0.7 < 0
 }
 
 template <int dim>
@@ -218,13 +215,11 @@ TEST(Fluid, ViscousShear) {
   double history[Fluid::history_size<2>] = {};
   law.update(Symmetric<double, 2>{0, 0, 0.5 * rate * 1e-3}, s, history);
   EXPECT_DOUBLE_EQ(s[2], 2.0 * rate);
-  EXPECT_EQ(s[0], 0);
   const double first = history[Fluid::work];
   law.update(Symmetric<double, 2>{0, 0, 0.5 * rate * 1e-3}, s, history);
   EXPECT_NEAR(history[Fluid::work] - first, 2.0 * rate * rate * 1e-3, 1e-12);
-  const Symmetric<double, 2> kept = s;
   law.update(Symmetric<double, 2>{}, s, history);  // read again
-  EXPECT_EQ(s[2], kept[2]);
+  EXPECT_DOUBLE_EQ(s[2], 2.0 * rate);
   // eta = 2 Pa s, dt = 1 ms, K = 2.2 GPa
   EXPECT_DOUBLE_EQ(law.stiffening(1.0, 1.0), 1 + 8.0 / 3 * 2 / 1e-3 / 2.2e9);
 }

@@ -66,9 +66,9 @@ TEST(Fluid, PlateauInSpace) {
   }
 }
 
-// Viscosity that smears the shock over some cells: 8/3 eta/dt is about twice K there, so that the step must
-// follow it. Behind the shock there is no oscillation left, and the plateau is that of the jump, to the
-// viscous work, which heats the water less than the shock does.
+// Viscosity that smears the shock over some cells: 8/3 eta/dt is about as large as K, so that the step must
+// follow it. Nothing oscillates behind the shock; and as e contains the viscous work, the plateau is that of
+// the jump.
 TEST(Fluid, ViscousShock) {
   const double v = 116, p = density * (c0 + slope * v) * v;
   const std::string thick_water = scene_text::replaced(
