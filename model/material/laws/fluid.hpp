@@ -3,7 +3,7 @@
 //   sigma = -p I + 2 eta dev(d) / dt      (Newton; no bulk viscosity)
 // with d the strain increment of the step and dt its time. It has no shear stiffness. Not in plane stress.
 //
-// update() takes the co-rotated increment of the logarithmic strain and sums its trace to ln J. It returns
+// update() takes the co-rotated increment and sums its change of ln J (log_volume.hpp). It returns
 // the Kirchhoff stress J sigma, and energies per undeformed volume, as kinematics.hpp needs them; after
 // return_cauchy() the Cauchy stress sigma, and energies per present volume, as forms of SPH need that sum
 // over present volumes.
