@@ -94,8 +94,12 @@ std::string ExplicitFem::describe() const {
 std::vector<std::string> ExplicitFem::warnings() const {
   const double poisson = std::visit([](const auto& l) { return l.elastic().poisson; }, law_);
   if (plane_ == Plane::stress || !element_.locks_in_volume || (poisson <= 0.45 && !yields_)) return {};
-  std::string why = yields_ ? "plastic flow keeps the volume" : "";
-  if (poisson > 0.45) why = "Poisson's ratio is " + in_short(poisson) + (yields_ ? ", and " + why : "");
+  const bool fluid = std::visit([](const auto& l) { return l.elastic().mu == 0; }, law_);
+  std::string why = fluid     ? "a fluid resists a change of volume alone"
+                    : yields_ ? "plastic flow keeps the volume"
+                              : "";
+  if (poisson > 0.45 && !fluid)
+    why = "Poisson's ratio is " + in_short(poisson) + (yields_ ? ", and " + why : "");
   return {why + ": " + element_.name + " locks in volume, and displacements may be far too small; " +
           methods_that_do_not_lock() + " do not"};
 }
@@ -125,6 +129,11 @@ Energies ExplicitFem::energies(const double* u) const {
 void ExplicitFem::internal_force(const double* u, const double*, double dt, double* f, double*) {
   clear(f);
   loop_->set_step(dt);
+  std::visit(
+      [&](auto& l) {
+        if constexpr (requires { l.set_step(dt); }) l.set_step(dt);
+      },
+      law_);
   loop_->add_force(u, f);
   batches_.sum_ghosts(f, mesh_.dim);
   bars_.add_force(u, f);

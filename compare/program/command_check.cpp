@@ -34,8 +34,9 @@ void print_scene(const Scene& scene) {
     }
     const Material& m = scene.material_of(body);
     line("body " + body.name,
-         fmt::format("{}, {} (E {:.4g} GPa, nu {:g}, rho {:g} kg/m3)", body.shape->describe(), m.name,
-                     m.young / 1e9, m.poisson, m.density));
+         m.is_fluid() ? fmt::format("{}, {} (rho {:g} kg/m3)", body.shape->describe(), m.name, m.density)
+                      : fmt::format("{}, {} (E {:.4g} GPa, nu {:g}, rho {:g} kg/m3)", body.shape->describe(),
+                                    m.name, m.young / 1e9, m.poisson, m.density));
     line("mass of " + body.name,
          to_text(mass_of(scene, std::size_t(&body - scene.bodies.data())), scene.dim()));
   }

@@ -31,7 +31,8 @@ struct HourglassModuli {
 
   template <class LawType>
   static HourglassModuli of(const LawType& law, double coefficient) {
-    const LinearElastic& e = law.elastic();
+    LinearElastic e = law.elastic();
+    if (e.mu == 0) e.mu = hourglass_modulus(e) / 3.5;  // a fluid: as of a solid with this modulus
     const double bending = 4 * e.mu * (e.lambda + e.mu) / (e.lambda + 2 * e.mu),
                  strength = fibre_strength(plasticity_of(law), e.plane);
     return {bending,

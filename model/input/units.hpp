@@ -29,6 +29,7 @@ inline constexpr Dimension force{"N", "a force", "25 kN"};
 inline constexpr Dimension pressure{"Pa", "a pressure", "210 GPa"};
 inline constexpr Dimension temperature{"K", "a temperature", "298 K"};
 inline constexpr Dimension heat_capacity{"J/(kg K)", "a heat capacity", "477 J/(kg K)"};
+inline constexpr Dimension viscosity{"Pa s", "a dynamic viscosity", "1e-3 Pa s"};
 inline constexpr Dimension density{"kg/m^3", "a density", "7850 kg/m^3"};
 }  // namespace dimension
 

@@ -15,8 +15,8 @@
 //   effects(parameters)    its names in the list of effects of a scene; otherwise "NAME law",
 //   bar(parameters)        its yield stress for reinforcing bars; otherwise bars cannot have the law,
 //   plasticity(parameters) its von Mises plasticity, for theory values and elements that depend on it,
-//   large_motion_only      it is for large motion only.
-//
+//   large_motion_only      it is for large motion only,
+//   fluid                  it has no shear stiffness, and neither "young" nor "poisson".
 //
 // It works in the co-rotated frame of a material point (kinematics.hpp), and has
 //   history_size<dim>      how many doubles of history a point carries (0: none is allocated),
@@ -33,6 +33,8 @@
 //   update(increment, stress, history)       carries stress and history from one step to the next,
 //   plastic_strain(history), plastic_work(history)   equivalent plastic strain; work not stored, J/m^3,
 // and, where they apply,
+//   return_cauchy()        from then on stress and energies are those of the present volume; before, and for
+//                          laws without it, kinematics.hpp says which,
 //   set_step(dt)           sets the next time step, s, for a law that depends on the strain rate,
 //   seldom                 the one entry of its history that few steps read,
 //   stiffening(g, J)       how its tangent stiffness grows with the deformation: stiffening.hpp,
@@ -41,20 +43,23 @@
 
 #include <variant>
 
+#include "model/material/laws/fluid.hpp"
 #include "model/material/laws/linear_elastic.hpp"
 #include "model/material/laws/neo_hookean.hpp"
 #include "model/material/laws/plastic.hpp"
+#include "model/material/laws/plastic_with_eos.hpp"
 
 namespace femsph {
 
 template <class... L>
 struct LawList {
-  using Law = std::variant<L...>;
+  /// A plastic material with an equation of state has the word of Plastic.
+  using Law = std::variant<L..., PlasticWithEos>;
   using Parameters = std::variant<typename L::Parameters...>;
 };
 
 /// All laws that a scene can name.
-using Laws = LawList<LinearElastic, NeoHookean, Plastic>;
+using Laws = LawList<LinearElastic, NeoHookean, Plastic, Fluid>;
 
 /// A discretization visits the variant once, when it is made.
 using Law = Laws::Law;

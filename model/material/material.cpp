@@ -12,7 +12,7 @@ const typename L::Parameters& of_law(const LawParameters& all) {
   return std::get<typename L::Parameters>(all);
 }
 
-[[maybe_unused]] std::vector<std::string> words_for_bars() {  // unused while every law has bars
+std::vector<std::string> words_for_bars() {
   std::vector<std::string> words;
   for (const LawEntry& law : laws())
     if (law.has_bars) words.push_back(law.entry.word);
@@ -21,11 +21,14 @@ const typename L::Parameters& of_law(const LawParameters& all) {
 
 template <class L>
 LawEntry entry_of() {
-  LawEntry e{L::entry(), {}, L::name, false, !L::path_independent, false, {}, {}, {}, {}, {}};
+  LawEntry e{L::entry(), {}, L::name, false, !L::path_independent, false, false, {}, {}, {}, {}, {}};
   if constexpr (requires { L::tables(); }) e.tables = L::tables();
   if constexpr (requires { L::large_motion_only; }) e.large_motion_only = L::large_motion_only;
+  if constexpr (requires { L::fluid; }) e.fluid = L::fluid;
   e.read = [](Fields& fields, const LawInput& in) -> LawParameters { return L::read(fields, in); };
   e.of = [](const LawParameters& p, const ElasticConstants& m, Plane plane) -> Law {
+    if constexpr (std::is_same_v<L, Plastic>)
+      if (of_law<L>(p).eos) return PlasticWithEos::of(of_law<L>(p), m, plane);
     return L::of(of_law<L>(p), m, plane);
   };
   e.effects = [](const LawParameters& p) -> std::vector<std::string> {

@@ -18,7 +18,7 @@ namespace {
 
 template <int dim, class LawType>
 PointState step(const LawType& law, const std::array<double, 6>& g, double* state) {
-  static_assert(point_state_size<LawType, dim> <= 16);
+  static_assert(point_state_size<LawType, dim> <= 20);
   Symmetric<double, dim> strain;
   if constexpr (dim == 2)
     strain = {g[0], g[1], 0.5 * g[3]};
@@ -80,7 +80,13 @@ std::vector<int> columns_of(const std::vector<std::string>& header, const std::s
 
 }  // namespace
 
-MaterialPoint::MaterialPoint(const Law& law) : law_(law) {}
+MaterialPoint::MaterialPoint(const Law& law) : law_(law) {
+  std::visit(
+      [](auto& l) {
+        if constexpr (requires { l.return_cauchy(); }) l.return_cauchy();
+      },
+      law_);
+}
 
 PointState MaterialPoint::advance(const std::array<double, 6>& strain) {
   return std::visit(

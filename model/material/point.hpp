@@ -23,12 +23,13 @@ class MaterialPoint {
  public:
   explicit MaterialPoint(const Law& law);
   /// Goes in one step to the total strain exx eyy ezz gxy gyz gzx (engineering shear strains g = 2 e). In 2D
-  /// only exx, eyy and gxy are used.
+  /// only exx, eyy and gxy are used. A law with an equation of state takes them as logarithmic strains, and
+  /// gives the Cauchy stress.
   PointState advance(const std::array<double, 6>& strain);
 
  private:
   Law law_;
-  std::array<double, 16> state_{};  ///< as advance_law keeps it
+  std::array<double, 20> state_{};  ///< as advance_law keeps it
 };
 
 /// The strain components that a path can prescribe in this plane, as indices into path_names.

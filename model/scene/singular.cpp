@@ -169,6 +169,7 @@ void add_clamps(const Scene& scene, double reach, std::vector<SingularPlace>& fo
         support.place.sides.size() != 1)
       continue;
     const Material& m = scene.material_of(scene.bodies[b]);
+    if (m.is_fluid()) continue;
     const bool bounded = m.plasticity() && m.plasticity()->perfect();
     const double near = std::max(reach, point_tolerance(box));
     const auto ends = ends_of(scene, support, box, m.poisson > 0);

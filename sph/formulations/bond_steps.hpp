@@ -295,11 +295,11 @@ std::optional<Trouble> BondBody<dim>::trouble(const double* u) const {
       "the motion has lost its meaning before: try a smaller --safety", place_now(*lists_.crowded(), u)};
 }
 
-/// The square of the highest frequency is bounded by that of the gradient, which grows with the law's moduli and
-/// with W_i |B_i|, W_i = sum_j K_j w_ij (the inequality of Cauchy and Schwarz for L), and by that of the stress:
-/// with a displacement that alternates from particle to particle, to which L is blind, the forces w_ij (K_j Q_i +
-/// K_i Q_j) r turn back by 4 W_i |sigma_i B_i| / rho. Of the undeformed lattice the first is about 3.3 (lambda +
-/// 2 mu) W |B| / rho, springs included.
+/// The square of the highest frequency is bounded by that of the gradient, which grows with the law's moduli
+/// and with W_i |B_i|, W_i = sum_j K_j w_ij (the inequality of Cauchy and Schwarz for L), and by that of the
+/// stress: with a displacement that alternates from particle to particle, to which L is blind, the forces
+/// w_ij (K_j Q_i + K_i Q_j) r turn back by 4 W_i |sigma_i B_i| / rho. Of the undeformed lattice the first is
+/// about 3.3 (lambda + 2 mu) W |B| / rho, springs included.
 template <int dim>
 std::optional<Stiffening> BondBody<dim>::stiffening(const double* u) const {
   if (!large_) return std::nullopt;
@@ -310,8 +310,7 @@ std::optional<Stiffening> BondBody<dim>::stiffening(const double* u) const {
   stiffen(ratio);
   const double modulus = (elastic_.lambda + 2 * elastic_.mu) * thickness_;
   for (std::size_t i = 0; known && !fluid_ && i < particles_.size(); ++i)
-    if (grip_at_start_[i] > 0)
-      ratio[i] += 4 / 3.3 * tension_[i] / (volume_[i] * modulus * grip_at_start_[i]);
+    if (grip_at_start_[i] > 0) ratio[i] += 4 / 3.3 * tension_[i] / (volume_[i] * modulus * grip_at_start_[i]);
   std::size_t most = 0;
   for (std::size_t i = 1; i < particles_.size(); ++i)
     if (!(ratio[i] <= ratio[most])) most = i;

@@ -9,7 +9,8 @@ template <int dim>
 std::unique_ptr<Discretization> updated_lagrangian(
     const Scene& scene, std::size_t body, const Options& options, Particles particles, const Kernel& kernel) {
   return std::visit(
-      [&](const auto& law) -> std::unique_ptr<Discretization> {
+      [&](auto law) -> std::unique_ptr<Discretization> {
+        if constexpr (requires { law.return_cauchy(); }) law.return_cauchy();
         return std::make_unique<UpdatedLagrangian<dim, std::decay_t<decltype(law)>>>(
             scene, body, options, std::move(particles), kernel, law);
       },

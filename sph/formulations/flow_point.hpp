@@ -67,8 +67,11 @@ struct FlowPoint {
       resultant[k] = undeformed * now[k];
     }
     own[growth] += trace(D);
-    const Pack q = von_mises(law, now, own + history);
-    kept = select(flow > 0.0, q / (q + 3.0 * law.elastic().mu * flow), broadcast<Pack>(1.0));
+    kept = broadcast<Pack>(1.0);
+    if (any(flow > 0.0)) {
+      const Pack q = von_mises(law, now, own + history);
+      kept = select(flow > 0.0, q / (q + 3.0 * law.elastic().mu * flow), kept);
+    }
   }
 
   FEMSPH_INLINE static Pack stored(const Law& law, const Pack& undeformed, const Pack* own) {
@@ -100,7 +103,12 @@ struct FlowPoint {
   /// sqrt(3/2 s : s) with the stress normal to the plane.
   FEMSPH_INLINE static Pack von_mises(const Law& law, const Symmetric<Pack, dim>& s, const Pack* history_of) {
     Pack across{};
-    if constexpr (dim == 2) across = law.template stress_across<Pack, dim>(history_of);
+    if constexpr (dim == 2) {
+      if constexpr (requires { Law::normal; })
+        across = history_of[Law::normal];
+      else if constexpr (requires { law.template stress_across<Pack, dim>(history_of); })
+        across = law.template stress_across<Pack, dim>(history_of);
+    }
     const Pack mean = (1.0 / 3) * (trace(s) + across);
     Pack square = dim == 2 ? (across - mean) * (across - mean) : Pack{};
     for (int k = 0; k < n; ++k) square += k < dim ? (s[k] - mean) * (s[k] - mean) : 2.0 * s[k] * s[k];

@@ -48,15 +48,20 @@ TEST(Catalogue, WordsAndKeysAreStatedOnce) {
 
 // Entry i is of alternative i: its parameters give a law of the same index.
 TEST(Catalogue, EntriesOfLawsStandInTheOrderOfTheVariant) {
-  ASSERT_EQ(laws().size(), std::variant_size_v<Law>);
+  ASSERT_EQ(laws().size(), std::variant_size_v<LawParameters>);
   const std::vector<LawParameters> all = {
-      LinearElastic::Parameters{}, NeoHookean::Parameters{}, Plasticity{1e6, 0}};
+      LinearElastic::Parameters{}, NeoHookean::Parameters{}, Plasticity{1e6, 0}, Fluid::Parameters{}};
   ASSERT_EQ(laws().size(), all.size());
   for (std::size_t i = 0; i < all.size(); ++i) {
     const Material m{"m", 1e9, 0.3, 1000, all[i]};
     EXPECT_EQ(all[i].index(), i);
     EXPECT_EQ(m.law(Plane::strain).index(), i) << laws()[i].entry.word;
   }
+  // The one law that is chosen by its parameters.
+  Plasticity with_eos{1e6, 0};
+  with_eos.eos = EquationOfState{};
+  EXPECT_TRUE(
+      std::holds_alternative<PlasticWithEos>(Material{"m", 1e9, 0.3, 1000, with_eos}.law(Plane::strain)));
 }
 
 TEST(Catalogue, MaterialsStateTheirLaws) {
@@ -73,13 +78,17 @@ TEST(Catalogue, MaterialsStateTheirLaws) {
   EXPECT_TRUE(elastic.effects().empty());
   EXPECT_EQ(hard.bar().hardening, 1e7);
   EXPECT_EQ(rubber.bar().refusal, "");
+  const Material water{"m", 0, 0.5, 1000, Fluid::Parameters{}};
+  EXPECT_TRUE(water.is_fluid());
+  EXPECT_FALSE(metal.is_fluid());
+  EXPECT_EQ(water.bar().refusal,
+            "has the law \"fluid\", which bars do not; expected \"elastic\", \"neo-hookean\" or \"plastic\"");
 }
 
 TEST(Catalogue, AMisspeltWordGetsASuggestion) {
   EXPECT_EQ(message_of(weight_and_beam("\"neo-hookian\"", disc)),
-            "scene.toml:5:7: \"law\" is \"neo-hookian\"; expected \"elastic\", \"neo-hookean\" or "
-            "\"plastic\"; did "
-            "you mean \"neo-hookean\"?");
+            "scene.toml:5:7: \"law\" is \"neo-hookian\"; expected \"elastic\", \"neo-hookean\", \"plastic\" "
+            "or \"fluid\"; did you mean \"neo-hookean\"?");
   EXPECT_THAT(message_of(weight_and_beam("\"elastic\"", "shape = \"quadrilatral\"\n")),
               HasSubstr("did you mean \"quadrilateral\"?"));
 }

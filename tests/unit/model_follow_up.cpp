@@ -129,8 +129,8 @@ TEST(FollowUp, OfATableThatIsNone) {
 
 TEST(FollowUp, OfAMaterial) {
   EXPECT_EQ(said(replaced(good, "law = \"elastic\"", "law = \"elastik\"\nyield = \"1 Pa\"")),
-            "\"law\" is \"elastik\"; expected \"elastic\", \"neo-hookean\" or \"plastic\"; did you mean "
-            "\"elastic\"?");
+            "\"law\" is \"elastik\"; expected \"elastic\", \"neo-hookean\", \"plastic\" or \"fluid\"; did "
+            "you mean \"elastic\"?");
   EXPECT_EQ(said(replaced(good, "young = \"210 GPa\"", "young = 210")),
             "\"young\" is a plain number; expected a pressure with its unit, such as \"210 GPa\"");
 }
@@ -204,7 +204,7 @@ TEST(FollowUp, OfAProbe) {
   EXPECT_EQ(
       said(replaced(good, "quantity = \"stress\"", "quantity = \"displacment\"\nreading = \"raw\"")),
       "\"quantity\" is \"displacment\"; expected \"displacement\", \"velocity\", \"stress\", \"strain\", "
-      "\"plastic_strain\", \"equivalent_stress\" or \"principal_stress\"; did you mean "
+      "\"plastic_strain\", \"equivalent_stress\", \"principal_stress\" or \"pressure\"; did you mean "
       "\"displacement\"?");
 }
 

@@ -40,7 +40,7 @@ const std::vector<BadScene> bad_scenes = {
      {R"(2:9: "plane" is "stres"; expected "stress", "strain" or "none"; did you mean "stress"?)",
       R"(7:11: "poisson" is 0.7; expected a number above -1 and below 0.5 (a stable, compressible material))",
       R"(11:9: "shape" is "boxx"; expected "box", "disc", "sphere", "mesh", "ring", "cylinder", "tube", "quadrilateral" or "ball"; did you mean "box"?)",
-      R"(26:12: "quantity" is "temperature"; expected "displacement", "velocity", "stress", "strain", "plastic_strain", "equivalent_stress" or "principal_stress")",
+      R"(26:12: "quantity" is "temperature"; expected "displacement", "velocity", "stress", "strain", "plastic_strain", "equivalent_stress", "principal_stress" or "pressure")",
       R"(30:12: "duration" is 0 ms; expected a time greater than zero)"}},
     {"mesh_of_triangles",
      {R"(12:8: "FOLDER/triangles.msh" holds cells of type "Triangle 3"; expected only linear quadrilaterals (in Gmsh: Recombine Surface, first order))"}},

@@ -41,7 +41,7 @@ Impact impact_of(const Scene& scene) {
   };
   if (const std::string why = not_one_box(scene, true); !why.empty()) refuse_impact(why);
   const Material& m = scene.material_of(scene.bodies[0]);
-  if (!m.plasticity()) refuse_impact("its material is elastic");
+  if (!m.plasticity()) refuse_impact("its material is " + m.entry().name);
   if (m.plasticity()->johnson_cook) refuse_impact("its material hardens by Johnson-Cook, not linearly");
   if (scene.plane == Plane::strain)
     refuse_impact("this scene is in plane strain, in which a bar cannot widen");

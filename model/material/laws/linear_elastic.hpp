@@ -79,8 +79,10 @@ struct LinearElastic {
 
 /// The modulus for hourglass control, Pa: lambda + 2 mu, but at most its value for nu = 0.3, 3.5 mu.
 /// Hourglass modes are modes of shear and bending: a control in proportion to lambda, which is unbounded as
-/// nu -> 0.5, would lock a nearly incompressible body.
+/// nu -> 0.5, would lock a nearly incompressible body. A fluid (mu = 0) has no stiffness in these modes; 1 %
+/// of its bulk modulus is enough to hold them.
 inline double hourglass_modulus(const LinearElastic& elastic) {
+  if (elastic.mu == 0) return 0.01 * elastic.lambda;
   return std::min(elastic.lambda + 2 * elastic.mu, 3.5 * elastic.mu);
 }
 

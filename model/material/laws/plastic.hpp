@@ -13,6 +13,7 @@
 #include <optional>
 #include <utility>
 
+#include "model/material/laws/equation_of_state.hpp"
 #include "model/material/laws/flow_stress.hpp"
 #include "model/material/laws/return_mapping.hpp"
 #include "model/numerics/elementary.hpp"
@@ -56,6 +57,8 @@ struct Plasticity {
   Integration integration = Integration::return_mapping;
   /// Replaces `hardening`; only with return mapping and without a tension rule.
   std::optional<JohnsonCook> johnson_cook = {};
+  /// Gives the mean stress; the law is then PlasticWithEos (plastic_with_eos.hpp).
+  std::optional<EquationOfState> eos = {};
 
   /// Whether the yield stress is constant (perfect plasticity).
   bool perfect() const { return hardening == 0 && !johnson_cook; }

@@ -91,6 +91,18 @@ void check_johnson_cook(Fields& fields, const Plasticity& p, const LawInput& in)
                  "\"johnson_cook\" in plane stress; expected plane = \"strain\" or \"none\" in [model]");
 }
 
+/// The table "eos". It can be combined neither with a tension rule nor with another integration, nor with
+/// plane stress.
+EquationOfState read_eos(Fields& fields, const Plasticity& p, const LawInput& in) {
+  if (p.tension != TensionRule::none)
+    fields.fault("tension", "a tension rule with \"eos\"; expected none, or \"pressure_cutoff\" in \"eos\"");
+  if (p.integration != Integration::return_mapping)
+    fields.fault("integration", "\"integration\" with \"eos\"; expected \"return\"");
+  if (in.plane == Plane::stress)
+    fields.fault("eos", "\"eos\" in plane stress; expected plane = \"strain\" or \"none\" in [model]");
+  return EquationOfState::read(fields, in.constants.density, -std::numeric_limits<double>::infinity());
+}
+
 }  // namespace
 
 const std::vector<std::pair<std::string, Integration>>& integrations() {
@@ -178,12 +190,17 @@ Plasticity Plastic::read(Fields& fields, const LawInput& in) {
   p.integration = fields.choice<Integration>("integration", Need::optional, integrations())
                       .value_or(Integration::return_mapping);
   if (p.johnson_cook) check_johnson_cook(fields, p, in);
+  if (fields.has("eos"))
+    p.eos = read_eos(fields, p, in);
+  else
+    fields.accept("eos");  // for "did you mean"
   return p;
 }
 
 std::vector<std::string> Plastic::effects(const Plasticity& p) {
   std::vector<std::string> on = {"plasticity"};
   if (p.johnson_cook) on.emplace_back("Johnson-Cook yield stress");
+  if (p.eos) on.emplace_back("equation of state");
   if (p.tension == TensionRule::sign) on.emplace_back("tension rule sign");
   if (p.tension == TensionRule::principal) on.emplace_back("tension rule principal");
   if (p.integration == Integration::tangent) on.emplace_back("no return mapping (hypothesis 1)");
@@ -194,6 +211,8 @@ std::vector<std::string> Plastic::effects(const Plasticity& p) {
 
 /// Bars ignore the tension rule.
 BarYield Plastic::bar(const Plasticity& p) {
+  if (p.eos)
+    return {p.yield, p.hardening, "has an equation of state, which bars do not; expected no \"eos\""};
   return {p.yield, p.hardening,
           p.johnson_cook
               ? "hardens by Johnson-Cook, which bars do not; expected \"hardening\" or \"tangent_ratio\""

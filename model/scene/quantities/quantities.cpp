@@ -5,6 +5,7 @@
 #include "model/scene/quantities/displacement.hpp"
 #include "model/scene/quantities/equivalent_stress.hpp"
 #include "model/scene/quantities/plastic_strain.hpp"
+#include "model/scene/quantities/pressure.hpp"
 #include "model/scene/quantities/principal_stress.hpp"
 #include "model/scene/quantities/strain.hpp"
 #include "model/scene/quantities/stress.hpp"
@@ -14,8 +15,9 @@ namespace femsph {
 
 const std::vector<const Quantity*>& quantities() {
   static const std::vector<const Quantity*> all = {
-      &quantity::displacement,   &quantity::velocity,          &quantity::stress,           &quantity::strain,
-      &quantity::plastic_strain, &quantity::equivalent_stress, &quantity::principal_stress,
+      &quantity::displacement,     &quantity::velocity,       &quantity::stress,
+      &quantity::strain,           &quantity::plastic_strain, &quantity::equivalent_stress,
+      &quantity::principal_stress, &quantity::pressure,
   };
   return all;
 }

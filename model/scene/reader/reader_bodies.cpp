@@ -16,21 +16,40 @@ Material read_material(const std::string& name, Fields& fields, const Reading& r
   std::vector<std::pair<std::string, const LawEntry*>> words;
   for (const LawEntry& law : laws()) words.emplace_back(law.entry.word, &law);
   const auto law = fields.choice<const LawEntry*>("law", Need::required, words);
-  const auto young = fields.quantity("young", Need::required, dimension::pressure, Sign::positive);
+  const bool fluid = law && (*law)->fluid;
+  const Need need = fluid ? Need::optional : Need::required;
+  const auto young = fields.quantity("young", need, dimension::pressure, Sign::positive);
   const std::string range = "a number above -1 and below 0.5 (a stable, compressible material)";
-  const auto poisson = fields.number("poisson", Need::required, range);
+  const auto poisson = fields.number("poisson", need, range);
   if (poisson && !(*poisson > -1 && *poisson < 0.5))
     fields.fault("poisson", fmt::format("\"poisson\" is {}; expected {}", *poisson, range));
   const auto density = fields.quantity("density", Need::required, dimension::density, Sign::positive);
+  if (fluid)
+    for (const char* key : {"young", "poisson"})
+      if (fields.has(key))
+        fields.fault(
+            key, fmt::format("\"{}\" with law = {}, which has no shear stiffness; expected the table "
+                             "\"eos\" alone",
+                             key, in_quotes((*law)->entry.word)));
   Material material{name, young.value_or(1), poisson.value_or(0), density.value_or(1)};
+  if (fluid) material.young = 0, material.poisson = 0.5;
   LawInput in{{material.young, material.poisson, material.density}, {}};
   if (reading.dim) in.plane = reading.scene.plane;
   if (!law) fields.accept_rest();
   if (law) material.parameters = (*law)->read(fields, in);
-  if (law && (*law)->large_motion_only && reading.motion_known && !reading.scene.large_motion)
-    fields.fault("law", fmt::format("\"law\" is {} with small motion, where it is the elastic law; expected "
-                                    "motion = \"large\" in [model], or law = \"elastic\"",
-                                    in_quotes((*law)->entry.word)));
+  if (law && reading.motion_known && !reading.scene.large_motion) {
+    const std::string expected = "expected motion = \"large\" in [model]";
+    if (fluid)
+      fields.fault(
+          "law", fmt::format("\"law\" is {} with small motion; {}", in_quotes((*law)->entry.word), expected));
+    else if ((*law)->large_motion_only)
+      fields.fault(
+          "law", fmt::format("\"law\" is {} with small motion, where it is the elastic law; {}, or law = "
+                             "\"elastic\"",
+                             in_quotes((*law)->entry.word), expected));
+    if (material.plasticity() && material.plasticity()->eos)
+      fields.fault("eos", "\"eos\" with small motion; " + expected);
+  }
   fields.done();
   return material;
 }
