@@ -7,12 +7,16 @@
 
 namespace femsph::sph {
 
-/// The smallest eigenvalue of M over its mean at which a particle has enough neighbours.
-inline constexpr double least_support = 0.03;
+/// The least support of a particle: the smallest eigenvalue of M over the mean of all, and that mean, which
+/// is about 1 in a whole neighbourhood and 1/8 at the corner of a box.
+struct Support {
+  double share, mean;
+};
+inline constexpr Support solid_support{0.03, 0.01}, fluid_support{0.2, 0.2};
 
 /// The inverse of a symmetric moment matrix. A particle with too few neighbours, or with all of them nearly
-/// on a line or in a plane, has 0, and feels no stress; in a fluid it has the isotropic dim / tr M, where M,
-/// which is about 1 in a whole neighbourhood, is taken as at least 0.3.
+/// on a line or in a plane, has 0, and feels no stress; in a fluid it has the isotropic dim / tr M, with a
+/// mean of at least 0.3.
 template <int dim>
 FEMSPH_INLINE Symmetric<Pack, dim> inverse_moment(const Symmetric<Pack, dim>& M, bool fluid) {
   const Pack mean = (1.0 / dim) * trace(M);
@@ -31,7 +35,8 @@ FEMSPH_INLINE Symmetric<Pack, dim> inverse_moment(const Symmetric<Pack, dim>& M,
   const auto regular = det > 1e-12 * size;
   const Pack r = select(regular, 1.0 / select(regular, det, broadcast<Pack>(1.0)), Pack{});
   for (int k = 0; k < symmetric_size<dim>; ++k) B[k] *= r;
-  const auto sound = regular & (largest_eigenvalue_bound(B) * mean * least_support < 1.0);
+  const Support least = fluid ? fluid_support : solid_support;
+  const auto sound = regular & (mean > least.mean) & (largest_eigenvalue_bound(B) * mean * least.share < 1.0);
   const Pack alone = fluid ? 1.0 / select(mean > 0.3, mean, broadcast<Pack>(0.3)) : Pack{};
   for (int k = 0; k < symmetric_size<dim>; ++k) B[k] = select(sound, B[k], k < dim ? alone : Pack{});
   return B;
@@ -214,7 +219,8 @@ void BondBody<dim>::bond_forces(BondLists& lists, const Step& step, double* f,
     record[extent] = own[measure];
     forces_.store_block(block, record);
     store(&grip_[block * lanes], grip * largest_eigenvalue_bound(B));
-    store(&tension_[block * lanes], grip * square_root(pulls));
+    store(&tension_[block * lanes],
+          grip * square_root(pulls) * select(trace(N) < 0.0, broadcast<Pack>(2.0), broadcast<Pack>(1.0)));
     const Pack own_part = part(block);
     if constexpr (flowing)
       store(&forgotten_[block * lanes], load<Pack>(&forgotten_[block * lanes]) + own_part * forgotten);

@@ -10,6 +10,9 @@
 
 namespace femsph::sph {
 
+/// Of a fluid, unless another is given: nothing else keeps its particles in order behind a shock.
+inline constexpr Viscosity fluid_viscosity{1, 1, 0.01};
+
 template <int dim>
 BondBody<dim>::BondBody(const Scene& scene, std::size_t body, const Options& options, Particles particles,
                         const Kernel& kernel, const LinearElastic& elastic, bool fluid, bool flows)
@@ -23,6 +26,7 @@ BondBody<dim>::BondBody(const Scene& scene, std::size_t body, const Options& opt
       spring_(options.hourglass * elastic.mu * thickness_),
       lists_(particles_, layout_, kernel.radius(),
              scene.large_motion && (flows || fluid) ? 0.3 * particles_.spacing : 0.0, !fluid) {
+  if (fluid && !options_.viscosity.on()) options_.viscosity = fluid_viscosity;
   const std::size_t padded = blocks_ * lanes;
   start_.assign(layout_.size, 0.0);
   volume_.assign(padded, 0.0);

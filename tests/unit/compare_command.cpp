@@ -120,7 +120,7 @@ TEST(Command, AnOptionWithoutEffectIsRefused) {
   EXPECT_EQ(of_method("sph-virtual", "hourglass", 0.1),
             "--hourglass does nothing with sph-virtual: classic SPH has no hourglass control");
   EXPECT_EQ(of_method("sph", &RunCommand::viscosity, std::vector<double>{1, 1, 0.01}),
-            "--viscosity does nothing with sph-corrected: it belongs to classic SPH");
+            "--viscosity does nothing with sph-corrected: it belongs to classic and to updated SPH");
   EXPECT_EQ(of_method("sph", "mass", "full"),
             "");  // the mass of boundary particles is a choice there too
   const Scene cell = one_cell(), box = cantilever();

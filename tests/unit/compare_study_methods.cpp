@@ -69,7 +69,7 @@ TEST_F(StudyMethods, OptionsApplyToTheBodiesThatHaveThem) {
   EXPECT_EQ(std::get<sph::Options>(study.runs[0].methods.of(lower).options).smoothing, 1.2);
   EXPECT_THAT(fault(fem_on_sph, "options = {alpha = 1}\n"),
               HasSubstr("\"alpha\" does nothing with upper=fem-full,lower=sph-corrected: it is an option of "
-                        "SPH, and it belongs to classic SPH"));
+                        "SPH, and it belongs to classic and to updated SPH"));
   EXPECT_THAT(
       fault("[\"upper=fem-full,lower=fem-sri\"]", "smoothing_lengths = [1.0]\n"),
       HasSubstr("\"smoothing_lengths\" with upper=fem-full,lower=fem-sri; expected it with SPH only"));

@@ -22,6 +22,8 @@ std::optional<double> not_negative(Fields& fields, const char* key) {
   return {};
 }
 
+Key quantity_key() { return {"quantity", "a text: a quantity of this study", "Only of this quantity."}; }
+
 /// Whether some run of these cases and methods gives a quantity for which `fits` is true.
 template <class Fits>
 bool some_row(const Study& study, const std::vector<std::string>& cases,
@@ -49,16 +51,20 @@ void check_bound(const Fields& fields, const Bound& bound, const Study& study) {
         "no quantity of this bound has a theory or a reference, which an error needs; expected one that has");
 }
 
+/// The quantity of a table, empty if it names none. Whether it is one of the study.
+bool read_quantity(Fields& fields, const StudyReading& reading, std::string& quantity) {
+  const auto known = quantity_names(reading.study);
+  quantity = fields.text("quantity", Need::optional).value_or("");
+  return quantity.empty() ||
+         require_known(fields, "quantity", "quantity", quantity, known, reading.quantities_known);
+}
+
 void one_bound(Fields& fields, StudyReading& reading) {
   const Study& study = reading.study;
   Bound bound;
   bound.cases = read_names(fields, "cases", case_names(study), "case", reading.runs_known);
   bound.methods = read_names(fields, "methods", method_labels(study), "method", reading.runs_known);
-  const auto known = quantity_names(study);
-  bound.quantity = fields.text("quantity", Need::optional).value_or("");
-  const bool is_known = bound.quantity.empty() ||
-                        require_known(
-                            fields, "quantity", "quantity", bound.quantity, known, reading.quantities_known);
+  const bool is_known = read_quantity(fields, reading, bound.quantity);
   bound.energy_drift = not_negative(fields, "energy_drift");
   bound.momentum_drift = not_negative(fields, "momentum_drift");
   bound.angular_momentum_drift = not_negative(fields, "angular_momentum_drift");
@@ -78,15 +84,20 @@ void one_expectation(Fields& fields, StudyReading& reading, bool bounds_known) {
   expectation.cases = read_names(fields, "cases", case_names(reading.study), "case", reading.runs_known);
   expectation.methods = read_names(
       fields, "methods", method_labels(reading.study), "method", reading.runs_known);
+  const bool is_known = read_quantity(fields, reading, expectation.quantity);
   expectation.messages =
       fields.texts("messages", Need::required, "a list of words, one of which the message contains")
           .value_or(std::vector<std::string>{});
   expectation.reason = fields.text("reason", Need::required, "why it must fail").value_or("");
   fields.done();
-  if (reading.runs_known && reading.quantities_known &&
-      !some_row(
-          reading.study, expectation.cases, expectation.methods, [](const QuantitySpec&) { return true; }))
-    fields.fault("cases", "no run has these cases and methods together; expected words of one run");
+  if (is_known && reading.runs_known && reading.quantities_known &&
+      !some_row(reading.study, expectation.cases, expectation.methods, [&](const QuantitySpec& q) {
+        return expectation.quantity.empty() || q.name == expectation.quantity;
+      }))
+    fields.fault(
+        "cases", expectation.quantity.empty()
+                     ? "no run has these cases and methods together; expected words of one run"
+                     : "no run gives these cases, methods and quantity together; expected words of one run");
   if (reading.study.bounds.empty() && bounds_known)
     fields.fault("messages", "[[expectations]] without [[bounds]]; expected bounds that the failure breaks");
   reading.study.expectations.push_back(expectation);
@@ -100,7 +111,7 @@ KeyTable bound_keys() {
                  "match a row, the last one that gives a bound counts.",
                  row_keys()};
   for (const Key& key : std::vector<Key>{
-           {"quantity", "a text: a quantity of this study", "Only of this quantity."},
+           quantity_key(),
            {"energy_drift", key_holds::number, "Upper bound of the energy error over the largest energy."},
            {"momentum_drift", key_holds::number,
             "Upper bound of the change of the total momentum over its scale."},
@@ -117,6 +128,7 @@ KeyTable bound_keys() {
 
 KeyTable expectation_keys() {
   KeyTable table{"[[expectations]]", "Runs that must fail, in a study with [[bounds]].", row_keys()};
+  table.keys.push_back(quantity_key());
   table.keys.push_back({"messages", key_holds::texts,
                         "The message of the failure, or of the broken bound, contains one of these.", true});
   table.keys.push_back({"reason", key_holds::text, "Why it must fail.", true});

@@ -59,7 +59,8 @@ JudgedRow judge_one(const std::vector<Bound>& bounds, const std::vector<Expectat
   using Verdict = JudgedRow::Verdict;
   JudgedRow judged{Verdict::stable, &row, broken(bound_of(bounds, row), row)};
   const auto expected = std::find_if(expectations.begin(), expectations.end(), [&](const Expectation& e) {
-    return listed(e.cases, row.case_name) && listed(e.methods, row.method);
+    return listed(e.cases, row.case_name) && listed(e.methods, row.method) &&
+           (e.quantity.empty() || e.quantity == row.quantity);
   });
   if (expected == expectations.end()) {
     if (!judged.reason.empty()) judged.verdict = Verdict::failed;

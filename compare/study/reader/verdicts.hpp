@@ -29,7 +29,8 @@ struct Bound {
 struct Expectation {
   std::vector<std::string> cases, methods;
   std::vector<std::string> messages;
-  std::string reason;  ///< why they must fail
+  std::string reason;         ///< why they must fail
+  std::string quantity = {};  ///< rows of this quantity alone; empty: of all
 };
 
 struct JudgedRow {
