@@ -30,6 +30,7 @@ set style line 8 lc rgb "#332288" lw 2 dt (10, 4, 3, 4) pt 10 ps 1.0
 set style line 9 lc rgb "#999933" lw 2 dt (10, 4, 3, 4) pt 12 ps 1.1
 set style line 10 lc rgb "#AA4499" lw 2 dt (10, 5) pt 14 ps 1.0
 set style line 11 lc rgb "#117733" lw 2 dt (10, 4, 3, 4) pt 6 ps 1.0
+set style line 12 lc rgb "#882255" lw 2.4 dt 1 pt 7 ps 0.9
 # Theory and guides.
 set style line 20 lc rgb "black" lw 1.6 dt (7, 4)
 set style line 21 lc rgb "#777777" lw 1.2 dt 3
@@ -41,6 +42,6 @@ set style line 34 lc rgb "#0072B2" lw 2 dt 1 pt 10
 set style line 35 lc rgb "#332288" lw 2 dt (10, 5) pt 12
 
 fem = "fem-full fem-sri fem-one-point fem-assumed-strain"
-sph = "sph-classic-share sph-classic-full sph-classic-trapezoid sph-virtual sph-weight sph-corrected sph-corrected-own-volume"
+sph = "sph-classic-share sph-classic-full sph-classic-trapezoid sph-virtual sph-weight sph-corrected sph-corrected-own-volume sph-updated"
 order = fem." ".sph
 style_of(method) = int(sum [i = 1:words(order)] (word(order, i) eq method ? i : 0))
