@@ -102,6 +102,15 @@ std::vector<Case> targets() {
   moving.name += ", J2";
   moving.yield = Yield::all;
   all.push_back(moving);
+  for (const int dim : {2, 3}) {  // bonds with memory: elastic bodies keep their lists
+    Case bonds{dim == 2 ? "2D updated SPH, 20 neighbours" : "3D updated SPH, 56 neighbours", dim,
+               sph("sph-updated", 1.2), dim == 2 ? 150.0 : 600.0};
+    bonds.large_motion = bonds.moving = true;
+    all.push_back(bonds);
+    bonds.name += ", search included, J2";
+    bonds.yield = Yield::all;
+    all.push_back(bonds);
+  }
   return all;
 }
 

@@ -84,6 +84,11 @@ std::unique_ptr<Discretization> updated_lagrangian(const Scene&, std::size_t, co
                                                    const Kernel&) {
   absent();
 }
+template <int dim>
+std::unique_ptr<Discretization> bond_body(const Scene&, std::size_t, const Options&, Particles,
+                                          const Kernel&) {
+  absent();
+}
 
 template std::unique_ptr<Discretization> total_lagrangian<2>(const Scene&, std::size_t, const Options&,
                                                              Particles, const Kernel&, Correction);
@@ -93,6 +98,10 @@ template std::unique_ptr<Discretization> updated_lagrangian<2>(const Scene&, std
                                                                Particles, const Kernel&);
 template std::unique_ptr<Discretization> updated_lagrangian<3>(const Scene&, std::size_t, const Options&,
                                                                Particles, const Kernel&);
+template std::unique_ptr<Discretization> bond_body<2>(const Scene&, std::size_t, const Options&, Particles,
+                                                      const Kernel&);
+template std::unique_ptr<Discretization> bond_body<3>(const Scene&, std::size_t, const Options&, Particles,
+                                                      const Kernel&);
 
 }  // namespace sph
 }  // namespace femsph
