@@ -22,7 +22,7 @@ std::optional<double> not_negative(Fields& fields, const char* key) {
   return {};
 }
 
-Key quantity_key() { return {"quantity", "a text: a quantity of this study", "Only of this quantity."}; }
+Key row_quantity_key() { return {"quantity", "a text: a quantity of this study", "Only of this quantity."}; }
 
 /// Whether some run of these cases and methods gives a quantity for which `fits` is true.
 template <class Fits>
@@ -111,7 +111,7 @@ KeyTable bound_keys() {
                  "match a row, the last one that gives a bound counts.",
                  row_keys()};
   for (const Key& key : std::vector<Key>{
-           quantity_key(),
+           row_quantity_key(),
            {"energy_drift", key_holds::number, "Upper bound of the energy error over the largest energy."},
            {"momentum_drift", key_holds::number,
             "Upper bound of the change of the total momentum over its scale."},
@@ -128,7 +128,7 @@ KeyTable bound_keys() {
 
 KeyTable expectation_keys() {
   KeyTable table{"[[expectations]]", "Runs that must fail, in a study with [[bounds]].", row_keys()};
-  table.keys.push_back(quantity_key());
+  table.keys.push_back(row_quantity_key());
   table.keys.push_back({"messages", key_holds::texts,
                         "The message of the failure, or of the broken bound, contains one of these.", true});
   table.keys.push_back({"reason", key_holds::text, "Why it must fail.", true});
