@@ -56,14 +56,3 @@ if (has("rings-force")) {
   plot for [m in present("rings-force")] file("rings-force") using "time_ms":m with lines ls style_of(m) \
       title m
 }
-set output figure("bird-pressure")
-set title "bird strike, spacing 2 mm: pressure at the centre of the wall (exact shock: 197.5 MPa)"
-set xlabel "time, us"
-set ylabel "pressure, MPa"
-set xrange [0:30]
-set yrange [-20:400]
-if (has("bird-pressure")) {
-  plot 197.51 with lines ls 20 title "rho U v", \
-      for [m in present("bird-pressure")] file("bird-pressure") using "time_us":m with lines ls style_of(m) \
-          title m
-}
