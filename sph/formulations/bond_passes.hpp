@@ -43,9 +43,7 @@ FEMSPH_INLINE Symmetric<Pack, dim> inverse_moment(const Symmetric<Pack, dim>& M,
 }
 
 /// s(eta) (eta/h)^4, of s = s(eta) and x = eta/h: the weight of the springs. The fourth power gives bonds
-/// along the diagonals of a lattice about the same stiffness as those along its axes. (With s alone the
-/// springs of the twisting column of studies/stability hold 30 % of the energy, with the power 2 8 %, with 4
-/// 3 %.)
+/// along the diagonals of a lattice about the same stiffness as those along its axes (sph/README.md).
 FEMSPH_INLINE Pack spring_weight(const Pack& s, const Pack& x) {
   const Pack x2 = select(x < 2.0, x * x, Pack{});
   return s * (x2 * x2);

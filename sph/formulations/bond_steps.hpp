@@ -6,7 +6,9 @@
 #include <algorithm>
 #include <limits>
 
+#include "model/material/kinematics.hpp"
 #include "sph/formulations/bond_passes.hpp"
+#include "sph/operators/moving_neighbours.hpp"
 
 namespace femsph::sph {
 
@@ -124,9 +126,9 @@ void BondBody<dim>::lay_down_rates(BondLists& lists) const {
   for_blocks([&](std::size_t block) {
     Pack own[MotionRecords::fields];
     motion_.load_block(block, own);
-    const Tensor<Pack, dim> L = motion(block);
-    for (int r = 0; r < dim; ++r)
-      for (int c = r; c < dim; ++c) own[rate + symmetric_index<dim>(r, c)] = 0.5 * (L[r][c] + L[c][r]);
+    Symmetric<Pack, dim> D;
+    SmallStrain::strain<Pack, dim>(motion(block), D);
+    for (int k = 0; k < n; ++k) own[rate + k] = D[k];
     motion_.store_block(block, own);
   });
   lay_down_images(lists, motion_, middle, [](int field, const double* sign) {
@@ -236,10 +238,8 @@ void BondBody<dim>::stiffness(const double* x, double* y) const {
     fluid_ ? gradients<Spline, true>(lists, 1) : gradients<Spline, false>(lists, 1);
   });
   for_blocks([&](std::size_t block) {
-    const Tensor<Pack, dim> L = motion(block);
     Symmetric<Pack, dim> D;
-    for (int r = 0; r < dim; ++r)
-      for (int c = r; c < dim; ++c) D(r, c) = 0.5 * (L[r][c] + L[c][r]);
+    SmallStrain::strain<Pack, dim>(motion(block), D);
     Symmetric<Pack, dim> s = elastic_.stress(D);
     for (int k = 0; k < n; ++k) s[k] *= undeformed(block);
     set_resultant(block, s);
@@ -294,9 +294,7 @@ void BondBody<dim>::state(Archive& archive) {
 template <int dim>
 std::optional<Trouble> BondBody<dim>::trouble(const double* u) const {
   if (!lists_.crowded()) return std::nullopt;
-  return Trouble{
-      "particles have fallen on one heap, more than six times as dense as they began",
-      "the motion has lost its meaning before: try a smaller --safety", place_now(*lists_.crowded(), u)};
+  return heap_trouble(place_now(*lists_.crowded(), u));
 }
 
 /// The square of the highest frequency is bounded by that of the gradient, which grows with the law's moduli

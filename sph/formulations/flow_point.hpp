@@ -5,6 +5,7 @@
 // Jaumann's, by the rule of Hughes & Winget (jaumann.hpp). Each function takes eight points.
 
 #include "model/material/law.hpp"
+#include "model/material/laws/point_stress.hpp"
 #include "model/numerics/elementary.hpp"
 #include "sph/formulations/jaumann.hpp"
 
@@ -100,19 +101,16 @@ struct FlowPoint {
   static double cauchy_share(const double* own) { return std::exp(-own[growth]); }
 
  private:
-  /// sqrt(3/2 s : s) with the stress normal to the plane.
+  /// With the stress normal to the plane.
   FEMSPH_INLINE static Pack von_mises(const Law& law, const Symmetric<Pack, dim>& s, const Pack* history_of) {
-    Pack across{};
+    plastic::PointStress<Pack, dim> point{s, Pack{}};
     if constexpr (dim == 2) {
       if constexpr (requires { Law::normal; })
-        across = history_of[Law::normal];
+        point.across = history_of[Law::normal];
       else if constexpr (requires { law.template stress_across<Pack, dim>(history_of); })
-        across = law.template stress_across<Pack, dim>(history_of);
+        point.across = law.template stress_across<Pack, dim>(history_of);
     }
-    const Pack mean = (1.0 / 3) * (trace(s) + across);
-    Pack square = dim == 2 ? (across - mean) * (across - mean) : Pack{};
-    for (int k = 0; k < n; ++k) square += k < dim ? (s[k] - mean) * (s[k] - mean) : 2.0 * s[k] * s[k];
-    return square_root(1.5 * square);
+    return plastic::von_mises(point);
   }
 };
 

@@ -1,7 +1,7 @@
 #pragma once
 // A material point of the bonds in small motion: strain and stress are those of the undeformed axes.
 
-#include "model/material/kinematics.hpp"
+#include "model/material/spatial_state.hpp"
 
 namespace femsph::sph {
 
@@ -14,8 +14,7 @@ struct SmallPoint {
   FEMSPH_INLINE static void advance(const Law& law, const Tensor<Pack, dim>& L, const Pack& undeformed,
                                     Pack* own, Symmetric<Pack, dim>& resultant) {
     Symmetric<Pack, dim> D, e, s;
-    for (int r = 0; r < dim; ++r)
-      for (int c = r; c < dim; ++c) D(r, c) = 0.5 * (L[r][c] + L[c][r]);
+    SmallStrain::strain<Pack, dim>(L, D);
     for (int k = 0; k < n; ++k) own[strain + k] += D[k], e[k] = own[strain + k], s[k] = own[stress + k];
     if constexpr (Law::path_independent)
       s = law.stress(e);
@@ -32,14 +31,9 @@ struct SmallPoint {
 
   static void show(const Law& law, const double* own, std::array<double, 6>& stress_out,
                    std::array<double, 6>& strain_out) {
-    const double *s = own + stress, *e = own + strain;
-    if constexpr (dim == 2) {
-      const Symmetric<double, 2> in{s[0], s[1], s[2]}, by{e[0], e[1], e[2]};
-      stress_out = {s[0], s[1], law.thickness_stress(by, in, own + history), s[2], 0, 0};
-      strain_out = {e[0], e[1], law.thickness_strain(by, in, own + history), e[2], 0, 0};
-    } else {
-      for (std::size_t c = 0; c < 6; ++c) stress_out[c] = s[c], strain_out[c] = e[c];
-    }
+    Symmetric<double, dim> s, e;
+    for (int k = 0; k < n; ++k) s[k] = own[stress + k], e[k] = own[strain + k];
+    spatial_state<SmallStrain>(law, Tensor<double, dim>{}, s, e, own + history, stress_out, strain_out);
   }
 };
 

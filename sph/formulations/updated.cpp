@@ -38,7 +38,7 @@ Formulation updated_formulation() {
           .initial_neighbours = false,
           .viscosity = true,
           .hourglass = true,
-          .bytes = {1900, 4000},
+          .bytes = {1900, 6000},
           .variants = {{"updated",
                         "corrected gradient on neighbours that follow the particles; bonds remember their "
                         "length until the material flows",

@@ -243,10 +243,7 @@ std::optional<Trouble> UpdatedLagrangian<dim, LawType>::trouble(const double* u)
     for (int c = 0; c < dim; ++c) x[std::size_t(c)] += u[layout_.at(i, c)];
     return x;
   };
-  if (neighbours_.crowded())
-    return Trouble{
-        "particles have fallen on one heap, more than six times as dense as they began",
-        "the motion has lost its meaning before: try a smaller --safety", place(neighbours_.fullest())};
+  if (neighbours_.crowded()) return heap_trouble(place(neighbours_.fullest()));
   const auto& loss = neighbours_.loss();
   if (!loss) return std::nullopt;
   return Trouble{

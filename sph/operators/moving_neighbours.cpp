@@ -9,6 +9,11 @@ MovingNeighbours::MovingNeighbours(std::span<const Point> start, const Layout& l
                                    double skin)
     : start_(start), layout_(layout), radius_(radius), skin_(skin) {}
 
+Trouble heap_trouble(const Point& position) {
+  return {"particles have fallen on one heap, more than six times as dense as they began",
+          "the motion has lost its meaning before: try a smaller --safety", position};
+}
+
 std::size_t MovingNeighbours::bytes() const {
   std::size_t sum = searched_.size() * sizeof(double) + position_.size() * sizeof(Point) + cells_.bytes() +
                     (near_.size() + near_at_start_.size()) * sizeof(std::uint16_t);

@@ -21,6 +21,9 @@ namespace femsph::sph {
 /// displacement of the body does not count.
 bool can_have_approached(const double* u, const double* before, const Layout& layout, double skin);
 
+/// Particles so crowded that no lists are made: `position` is one of them, m.
+Trouble heap_trouble(const Point& position);
+
 class MovingNeighbours {
  public:
   MovingNeighbours(std::span<const Point> start, const Layout& layout, double radius, double skin);

@@ -27,14 +27,6 @@ Scene bond_scene(Plane plane, bool plastic) {
   return scene;
 }
 
-/// The velocity of the step of length dt (s) from `before` to u, where the next step begins.
-AlignedVector<double> rate(const AlignedVector<double>& u, AlignedVector<double>& before, double dt) {
-  AlignedVector<double> v = u;
-  for (std::size_t i = 0; i < v.size(); ++i) v[i] = (u[i] - before[i]) / dt;
-  before = u;
-  return v;
-}
-
 /// The equations of sph/README.md, one pair after the other, for lists that never change.
 template <int dim>
 struct PlainBonds {
@@ -189,7 +181,7 @@ void compare_bonds_with_plain(Plane plane, sph::KernelKind kind) {
   const double dt = 1e-6;
   for (int k = 1; k <= 8; ++k) {  // by less than the half skin, so that the lists remain
     const AlignedVector<double> u = swirl(*moving, 0.004 * k);
-    const AlignedVector<double> v = rate(u, before, dt);
+    const AlignedVector<double> v = velocity_to(u, before, dt);
     moving->internal_force(u.data(), v.data(), dt, f.data(), nullptr);
     plain.step(u, v, dt, F);
     ASSERT_GT(largest(F), 0);
@@ -211,7 +203,7 @@ void along_a_swirl(Discretization& d, Check&& check) {
   AlignedVector<double> f(d.layout().size, 0.0), before = f;
   d.internal_force(before.data(), before.data(), 0, f.data(), nullptr);
   for (int k = 1; k <= 40; ++k) {
-    const AlignedVector<double> u = swirl(d, 0.02 * k), v = rate(u, before, 1e-6);
+    const AlignedVector<double> u = swirl(d, 0.02 * k), v = velocity_to(u, before, 1e-6);
     d.internal_force(u.data(), v.data(), 1e-6, f.data(), nullptr);
     check(u, f);
   }
@@ -281,7 +273,7 @@ TEST(Bonds, DoNotDependOnTheThreadsAndGoOnFromASavedState) {
       AlignedVector<double> u = swirl(*d, 0.02 * k);
       for (std::size_t i = 0; i < d->layout().points; ++i)  // the plane holds its particles
         if (std::abs(d->position(i)[0] - 0.01) < 1e-9) u[d->layout().at(i, 0)] = 0;
-      const AlignedVector<double> v = rate(u, before, 1e-6);
+      const AlignedVector<double> v = velocity_to(u, before, 1e-6);
       d->internal_force(u.data(), v.data(), 1e-6, f.data(), g.data());
       if (k > 13) later->internal_force(u.data(), v.data(), 1e-6, F.data(), G.data());
       if (k == 13) {
@@ -326,8 +318,8 @@ TEST(Bonds, OfAHalfAreThoseOfTheWhole) {
     a->internal_force(before.data(), before.data(), 0, f.data(), nullptr);
     b->internal_force(Before.data(), Before.data(), 0, F.data(), nullptr);
     for (int k = 1; k <= 20; ++k) {
-      const AlignedVector<double> u = at_time(*a, 0.001 * k), v = rate(u, before, 1e-6),
-                                  U = at_time(*b, 0.001 * k), V = rate(U, Before, 1e-6);
+      const AlignedVector<double> u = at_time(*a, 0.001 * k), v = velocity_to(u, before, 1e-6),
+                                  U = at_time(*b, 0.001 * k), V = velocity_to(U, Before, 1e-6);
       a->internal_force(u.data(), v.data(), 1e-6, f.data(), nullptr);
       b->internal_force(U.data(), V.data(), 1e-6, F.data(), nullptr);
     }

@@ -10,14 +10,6 @@
 namespace femsph::test {
 namespace {
 
-/// The velocity of the step of length dt (s) from `before` to u, where the next step begins.
-AlignedVector<double> velocity_to(const AlignedVector<double>& u, AlignedVector<double>& before, double dt) {
-  AlignedVector<double> v = u;
-  for (std::size_t i = 0; i < v.size(); ++i) v[i] = (u[i] - before[i]) / dt;
-  before = u;
-  return v;
-}
-
 template <int dim, class LawType>
 void compare_with_plain(Plane plane, bool plastic, sph::KernelKind kind, double smoothing) {
   Scene scene = box_scene(plane, dim == 3 ? Point{0.06, 0.05, 0.04} : Point{0.13, 0.1, 0}, true);

@@ -129,6 +129,15 @@ inline AlignedVector<double> swirl(const Discretization& d, double t) {
   return u;
 }
 
+/// The velocity of the step of length dt (s) from `before` to u, where the next step begins.
+inline AlignedVector<double> velocity_to(const AlignedVector<double>& u, AlignedVector<double>& before,
+                                         double dt) {
+  AlignedVector<double> v = u;
+  for (std::size_t i = 0; i < v.size(); ++i) v[i] = (u[i] - before[i]) / dt;
+  before = u;
+  return v;
+}
+
 inline double apart(const AlignedVector<double>& a, const AlignedVector<double>& b) {
   double most = 0;
   for (std::size_t i = 0; i < a.size(); ++i) most = std::max(most, std::abs(a[i] - b[i]));
